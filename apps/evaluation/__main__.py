@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: MIT
+"""The evaluation's command line; ./evaluate calls it after the build and documents its options."""
+import argparse
+import json
+import os
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+from .machine import describe
+from .matrix import SCENE, build_matrix
+from .progress import Progress
+from .runs import Settings, measure
+
+ROOT = Path(__file__).resolve().parents[2]
+QUICK = {"frames": 6, "scale": 0.05, "latencies": [0, 50], "rounds": 1}
+FULL = {"frames": 40, "scale": 1.0, "latencies": [0, 5, 50, 500], "rounds": 3}
+SIZE = "640x480"
+# Mesa's llvmpipe starts at most as many threads.
+MOST_THREADS = 16
+
+
+def positive_integer(text):
+    value = int(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not at least 1")
+    return value
+
+
+def share(text):
+    value = float(text)
+    if not 0 < value <= 1:
+        raise argparse.ArgumentTypeError(f"{text} is not above 0 and at most 1")
+    return value
+
+
+def latency_list(text):
+    """Ascending and without repetition; 0 is the driver's own time."""
+    values = sorted({float(part) for part in text.split(",")})
+    if values[0] < 0:
+        raise argparse.ArgumentTypeError(f"{text} holds a negative latency")
+    return values
+
+
+def thread_count(text):
+    value = int(text)
+    if not 0 <= value <= MOST_THREADS:
+        raise argparse.ArgumentTypeError(f"{text} is not between 0 and {MOST_THREADS}")
+    return value
+
+
+def parse_options(arguments):
+    parser = argparse.ArgumentParser(prog="./evaluate", allow_abbrev=False, add_help=False)
+    parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--frames", type=positive_integer)
+    parser.add_argument("--scale", type=share)
+    parser.add_argument("--latencies", type=latency_list, metavar="A,B,..")
+    parser.add_argument("--rounds", type=positive_integer)
+    parser.add_argument("--out", type=Path)
+    parser.add_argument("--threads", type=thread_count, default=min(MOST_THREADS, os.cpu_count()))
+    parser.add_argument("--programs", type=Path, default=ROOT / "build/release/bin", help=argparse.SUPPRESS)
+    parser.add_argument("--here", type=Path, default=Path.cwd(), help=argparse.SUPPRESS)
+    parser.add_argument("--only-check-options", action="store_true", help=argparse.SUPPRESS)
+    options = parser.parse_args(arguments)
+    for name, value in (QUICK if options.quick else FULL).items():
+        if getattr(options, name) is None:
+            setattr(options, name, value)
+    options.out = options.here / options.out if options.out else ROOT / "report"
+    return options
+
+
+def environment_of(options):
+    """Software drivers, a pinned number of threads, and no layer but the one that the launcher adds."""
+    environment = {k: v for k, v in os.environ.items() if k not in ("GLEXT_EMU", "LD_PRELOAD")}
+    environment["LP_NUM_THREADS"] = str(options.threads)
+    environment["LIBGL_ALWAYS_SOFTWARE"] = "1"
+    return environment
+
+
+def scene_triangles(options):
+    """The scene's total at scale 1, as the walkthrough lists it."""
+    told = subprocess.run(
+        [options.programs / "walkthrough", "--list"], capture_output=True, text=True, check=True
+    ).stdout
+    return next(scene["triangles"] for scene in json.loads(told)["scenes"] if scene["name"] == SCENE)
+
+
+def command_line(options):
+    """The command that repeats this run, whatever the defaults become."""
+    words = ["./evaluate", "--frames", str(options.frames), "--scale", f"{options.scale:g}"]
+    words += ["--latencies", ",".join(f"{latency:g}" for latency in options.latencies)]
+    words += ["--rounds", str(options.rounds), "--threads", str(options.threads)]
+    return shlex.join(words)
+
+
+def main(arguments):
+    options = parse_options(arguments)
+    if options.only_check_options:
+        return 0
+
+    # matplotlib is needed only from here on: options are checked on machines that lack it yet.
+    from .checks import run_checks
+    from .page import write_page
+    from .rows import build_rows, write_csv
+
+    load_before = os.getloadavg()[0]
+    options.out.mkdir(parents=True, exist_ok=True)
+    settings = Settings(
+        programs=options.programs, out=options.out.resolve(), frames=options.frames, scale=options.scale,
+        rounds=options.rounds, size=SIZE, environment=environment_of(options),
+    )  # fmt: skip
+    matrix = build_matrix(options.latencies)
+    image_frame = options.frames // 3
+    progress = Progress(matrix, options.rounds)
+    measured, failures = measure(matrix, settings, image_frame, progress)
+    progress.close()
+
+    rows = build_rows(measured)
+    checks = run_checks(measured)
+    write_csv(rows, settings.out / "table.csv")
+    summary = next((value.judged.summary for value in measured.values() if value.judged), {})
+    write_page(
+        settings.out / "index.html", measured=measured, rows=rows, checks=checks, failures=failures,
+        machine=describe(ROOT, options.threads, summary, SIZE, load_before), settings=settings,
+        image_frame=image_frame, scene_triangles=summary.get("scene_triangles", scene_triangles(options)),
+        quick=options.quick, command=command_line(options),
+    )  # fmt: skip
+    return report(rows, checks, failures, settings.out / "index.html")
+
+
+def report(rows, checks, failures, page):
+    """The end on the terminal: the table in short, what failed, where the page lies."""
+    print(f"{'device':16} {'culler':14} {'late, us':>8} {'queries':>8} {'triangles':>10} {'frame ms':>9} "
+          f"{'waiting':>8} {'speed-up':>8}")  # fmt: skip
+    for row in rows:
+        late = "-" if row.latency_us is None else f"{row.latency_us:g}"
+        wait = "-" if row.stall_ms is None else f"{row.stall_ms:.1f}"
+        faster = "-" if row.speedup_of_means is None else f"{row.speedup_of_means:.2f}"
+        print(f"{row.device:16} {row.culler:14} {late:>8} {row.queries:8.0f} {row.drawn_triangles:10.0f} "
+              f"{row.frame_ms:9.1f} {wait:>8} {faster:>8}" + ("  the same again" if row.repeat else ""))  # fmt: skip
+    broken = [check for check in checks if not check.holds]
+    for check in broken:
+        print(f"DOES NOT HOLD: {check.sentence}: {'; '.join(check.faults[:3])}")
+    for failure in failures:
+        print(f"FAILED: {failure}")
+    print(f"{len(rows)} rows, {len(checks) - len(broken)} of {len(checks)} checks hold; the report: {page}")
+    return 1 if broken or failures or not rows else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

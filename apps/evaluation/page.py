@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: MIT
+"""The page: one HTML file that carries its style, plots and pictures in itself."""
+import base64
+import shlex
+from datetime import datetime, timezone
+from html import escape
+from pathlib import Path
+from string import Template
+
+from . import plots, tables
+from .matrix import BASELINE, BOUND, DEVICE_TITLES, QUERYING
+from .rows import break_even_us, row_with
+
+HERE = Path(__file__).parent
+PICTURES = (
+    ("view.png", "What the camera sees, at frame {frame} of the path."),
+    ("above.png", "The same moment from above: what stop-and-wait draws stands out; the rest is hidden or out of view."),
+    ("nodes.png", "The boxes of the tree that were asked about, from above: orange ones were answered visible."),
+)  # fmt: skip
+
+
+def cards(rows, checks):
+    """The answer in a few large figures: (figure, sentence)."""
+    found = []
+    last = rows[-1].device if rows else None
+    asked = next((r for r in rows if r.device == last and r.culler in QUERYING), None)
+    if asked is not None and asked.frustum_triangles:
+        share = asked.drawn_triangles / asked.frustum_triangles
+        text = f"of the triangles in view are left to draw after asking {asked.queries:,.0f} queries a frame"
+        found.append((f"{share:.0%}", text))
+    for device in dict.fromkeys(row.device for row in rows):
+        found.append(pays_below(rows, device))
+    culled = sum(row.false_culls_total for row in rows)
+    found.append((f"{culled:,}", f"visible objects culled by mistake, in {checks[0].looked_at}"))
+    return found
+
+
+def pays_below(rows, device):
+    """One sentence on when asking pays on a device."""
+    even = break_even_us(rows, device, QUERYING[0])
+    frustum = row_with(rows, device, BASELINE)
+    points = sorted(
+        (r for r in rows if r.device == device and r.culler in QUERYING and not r.repeat),
+        key=lambda row: row.latency_us,
+    )
+    if frustum is None or not points:
+        return "?", f"{device}: a run that is needed for the answer failed"
+    if even:
+        return f"{even:,.0f} µs", f"late may a result be on {device} before waiting for it no longer pays"
+    if even == 0:
+        ours, theirs = points[0].frame_ms, frustum.frame_ms
+        return "never", f"does waiting for results pay on {device} here: {ours:,.1f} ms against {theirs:,.1f} ms"
+    if points[-1].frame_ms < frustum.frame_ms:
+        late = points[-1].latency_us
+        return f"> {late:g} µs", f"late may a result be on {device}: waiting still paid at the largest latency measured"
+    return "?", f"{device}: the latencies measured do not bracket the answer"
+
+
+def definitions(pairs):
+    return "\n".join(f"<dt>{escape(name)}</dt><dd>{escape(str(value))}</dd>" for name, value in pairs)
+
+
+def pictures(folder, frame):
+    """The three pictures, inlined; one that is missing is left out."""
+    figures = []
+    for name, caption in PICTURES:
+        if (folder / name).exists():
+            data = base64.b64encode((folder / name).read_bytes()).decode()
+            text = caption.format(frame=frame)
+            figures.append(
+                f'<figure><img alt="{escape(text)}" src="data:image/png;base64,{data}">'
+                f"<figcaption>{escape(text)}</figcaption></figure>"
+            )
+    return "\n".join(figures)
+
+
+def banner(failures, quick):
+    """What a reader must know before any figure: failed runs, or that this was only a look."""
+    parts = []
+    if failures:
+        items = "".join(f"<li>{escape(failure)}</li>" for failure in failures)
+        parts.append(f'<div class="warning"><h2>Not everything ran</h2><ul>{items}</ul></div>')
+    if quick:
+        parts.append(
+            '<div class="warning"><h2>A quick look, not a measurement</h2>'
+            "<p>Made with <code>--quick</code>: a small city, few frames, one round. Do not quote the times.</p></div>"
+        )
+    return "\n".join(parts)
+
+
+def check_list(checks):
+    lines = []
+    for check in checks:
+        faults = "".join(f"<br>{escape(fault)}" for fault in check.faults[:10])
+        more = f"<br>and {len(check.faults) - 10} more" if len(check.faults) > 10 else ""
+        kind = "" if check.holds else ' class="broken"'
+        lines.append(f"<li{kind}>{escape(check.sentence)} <small>({escape(check.looked_at)})</small>{faults}{more}</li>")
+    return "\n".join(lines)
+
+
+PATH_CAPTION = (
+    "Above: the time of every frame, on a logarithmic scale. Where the grey line (frustum culling) lies above an orange "
+    "one, asking paid. Below: the triangles drawn. The gap between grey and green is what queries can save at most; "
+    "the gap between orange and green above is what asking and waiting cost."
+)
+LATENCY_CAPTION = (
+    "Each bar is the mean frame of stop-and-wait; the dark part is spent in blocking reads of results, as the client "
+    "measures it; the black mark is the same as the layer below it measures it. A bar that reaches above the grey line "
+    "is slower than asking nothing. Late results change no pixel and no count: only this time."
+)
+
+
+def write_page(path, *, measured, rows, checks, failures, machine, settings, image_frame, scene_triangles, quick,
+               command):  # fmt: skip
+    devices = list(dict.fromkeys(configuration.device for configuration in measured))
+    example = next((v.timed[0] for c, v in measured.items() if v.timed and c.queries and c.latency_us), None)
+    facts = dict(machine)
+    values = {
+        "style": (HERE / "page.css").read_text(encoding="utf-8"),
+        "triangles": f"{scene_triangles:,}",
+        "device_count": {1: "one", 2: "two", 3: "three"}.get(len(devices), str(len(devices))),
+        "banner": banner(failures, quick),
+        "cards": "".join(
+            f'<div class="card"><strong>{escape(figure)}</strong><span>{escape(text)}</span></div>'
+            for figure, text in cards(rows, checks)
+        ),
+        "devices": definitions((device, DEVICE_TITLES.get(device, "")) for device in devices),
+        "pictures": pictures(settings.out / "pictures", image_frame),
+        "frames": settings.frames,
+        "rounds": settings.rounds,
+        "table": tables.main_table(rows),
+        "path_plot": plots.along_the_path(measured, rows) if rows else "",
+        "path_caption": PATH_CAPTION,
+        "latency_plot": plots.against_latency(rows) if rows else "",
+        "latency_caption": LATENCY_CAPTION,
+        "paper_table": tables.paper_table(rows, devices[-1]),
+        "selectivity_table": tables.selectivity_table(rows, devices[-1], scene_triangles),
+        "driver": escape(facts["Driver"]),
+        "processor": escape(facts["Processor"]),
+        "checks": check_list(checks),
+        "noise_table": tables.noise_table(rows),
+        "machine": definitions(machine),
+        "repeat": escape(command),
+        "one_run": escape(shlex.join(example.command)) if example else "no run succeeded",
+        "when": datetime.now(timezone.utc).strftime("%d %B %Y, %H:%M UTC"),
+    }
+    template = Template((HERE / "page.html").read_text(encoding="utf-8"))
+    path.write_text(template.substitute(values), encoding="utf-8")

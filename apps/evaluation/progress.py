@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+"""Says where the evaluation is: one moving line on a terminal, a line per pass in a pipe."""
+import sys
+import time
+
+
+def plain_duration(seconds):
+    """`40 s` or `3 min`."""
+    return f"{seconds:.0f} s" if seconds < 90 else f"{seconds / 60:.0f} min"
+
+
+class Progress:
+    """Expects a first pass per configuration to cost as much as its later ones: good enough for an estimate."""
+
+    def __init__(self, matrix, rounds, stream=sys.stderr):
+        self.matrix = matrix
+        self.rounds = rounds
+        self.stream = stream
+        self.done = 0
+        self.cost_s = {}
+        self.begin_s = None
+
+    def start(self, configuration, number):
+        self.begin_s = time.monotonic()
+        kind = "judged by the oracle" if number == 0 else f"timed, round {number} of {self.rounds}"
+        total = len(self.matrix) * (self.rounds + 1)
+        text = f"[{self.done + 1:3}/{total}] {configuration.culler} on {configuration.device}"
+        text += f", results {configuration.latency_us:g} us late" if configuration.queries else ""
+        text += f", {kind}" + self.left()
+        if self.stream.isatty():
+            self.stream.write(f"\r\x1b[K{text}")
+        else:
+            self.stream.write(f"{text}\n")
+        self.stream.flush()
+
+    def left(self):
+        """What the remaining passes will take, once each configuration has been seen."""
+        if len(self.cost_s) < len(self.matrix):
+            return ""
+        rounds_left = self.rounds + 1 - self.done / len(self.matrix)
+        return f", about {plain_duration(rounds_left * sum(self.cost_s.values()))} left"
+
+    def finish(self, configuration):
+        self.cost_s[configuration] = time.monotonic() - self.begin_s
+        self.done += 1
+
+    def close(self):
+        if self.stream.isatty():
+            self.stream.write("\r\x1b[K")
+
+    def fail(self, failure):
+        if self.stream.isatty():
+            self.stream.write("\n")
+        self.stream.write(f"FAILED: {failure}\n")

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: MIT
+"""Runs the matrix: one judged pass under the oracle, then timed passes in turn without it.
+
+A pass is one `glext-emu run ... -- walkthrough ...`. The timed passes go through all configurations round by
+round, every second round backwards, so that a machine that grows slower or faster does not favour a row.
+"""
+import json
+import subprocess
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from .matrix import SCENE
+
+PASS_LIMIT_S = 900
+
+
+@dataclass
+class Settings:
+    """What is the same for every run. `programs`: the folder of glext-emu and walkthrough."""
+
+    programs: Path
+    out: Path
+    frames: int
+    scale: float
+    rounds: int
+    size: str
+    environment: dict
+
+
+@dataclass
+class Pass:
+    """What one run wrote: per frame the client's record and, of the same frames, the layer's."""
+
+    frames: list
+    summary: dict
+    layer_frames: list
+    command: list
+    seconds: float
+
+
+@dataclass
+class Measured:
+    """Everything known of one configuration."""
+
+    judged: Pass = None
+    timed: list = field(default_factory=list)
+
+
+class RunFailed(Exception):
+    """A run that gave no usable result; the message says which and why."""
+
+
+def command_of(configuration, settings, stem, extra):
+    """The command line of one pass, as a person would type it."""
+    return [
+        str(settings.programs / "glext-emu"), "run",
+        "--device", configuration.device, "--clock", configuration.clock, "--report", f"{stem}.layer.json",
+        "--",
+        str(settings.programs / "walkthrough"),
+        "--scene", SCENE, "--culler", configuration.culler, "--size", settings.size,
+        "--frames", str(settings.frames), "--scale", f"{settings.scale:g}", "--json", f"{stem}.jsonl",
+        "--label", f"emulated={configuration.device}", "--label", f"clock={configuration.clock}",
+        *extra,
+    ]  # fmt: skip
+
+
+def read_client(path):
+    """The frames and the summary of a walkthrough's JSON lines."""
+    lines = [json.loads(line) for line in path.read_text().splitlines() if line.strip()]
+    frames = [line for line in lines if "frame" in line]
+    summaries = [line["summary"] for line in lines if "summary" in line]
+    if not frames or len(summaries) != 1:
+        raise RunFailed(f"{path.name} holds {len(frames)} frames and {len(summaries)} summaries")
+    return frames, summaries[0]
+
+
+def read_layer(path, frame_count):
+    """The layer's records of the last `frame_count` frames: those before them are the client's warm-up."""
+    records = json.loads(path.read_text())["records"]
+    frames = [record for record in records if record["kind"] == "frame"]
+    if len(frames) < frame_count:
+        raise RunFailed(f"{path.name} holds {len(frames)} frames, {frame_count} were drawn")
+    return frames[-frame_count:]
+
+
+def run_pass(configuration, settings, pass_name, extra=()):
+    """Runs once. Exit status 1 is the walkthrough's word for a false cull: its record is still read."""
+    stem = settings.out / "runs" / f"{configuration.name}.{pass_name}"
+    command = command_of(configuration, settings, stem, extra)
+    for suffix in (".jsonl", ".layer.json"):
+        Path(f"{stem}{suffix}").unlink(missing_ok=True)
+    begin = time.monotonic()
+    try:
+        done = subprocess.run(
+            command, env=settings.environment, capture_output=True, text=True, timeout=PASS_LIMIT_S, check=False
+        )
+    except subprocess.TimeoutExpired:
+        raise RunFailed(f"{configuration.name}, {pass_name}: not done after {PASS_LIMIT_S} s") from None
+    except OSError as error:
+        raise RunFailed(f"{configuration.name}, {pass_name}: {error}") from None
+    seconds = time.monotonic() - begin
+    said = " ".join(done.stderr.strip().splitlines()[-1:]) or "it said nothing"
+    if done.returncode not in (0, 1):
+        raise RunFailed(f"{configuration.name}, {pass_name}: exit status {done.returncode}: {said}")
+    try:
+        frames, summary = read_client(Path(f"{stem}.jsonl"))
+        layer_frames = read_layer(Path(f"{stem}.layer.json"), len(frames))
+    except (OSError, KeyError, json.JSONDecodeError) as error:
+        raise RunFailed(f"{configuration.name}, {pass_name}: unreadable result: {error}; {said}") from None
+    except RunFailed as error:
+        raise RunFailed(f"{configuration.name}, {pass_name}: {error}; {said}") from None
+    if len(frames) != settings.frames:
+        raise RunFailed(f"{configuration.name}, {pass_name}: {len(frames)} of {settings.frames} frames; {said}")
+    if done.returncode == 1 and not any(frame.get("false_culls") for frame in frames):
+        raise RunFailed(f"{configuration.name}, {pass_name}: exit status 1 without a false cull: {said}")
+    return Pass(frames, summary, layer_frames, command, seconds)
+
+
+def judge(configuration, settings, image_frame=None):
+    """The pass under the oracle; with `image_frame` it also draws the three pictures."""
+    extra = ["--oracle", "--oracle-cache", str(settings.out / "runs" / "oracle.cache")]
+    if image_frame is not None:
+        extra += ["--images", str(settings.out / "pictures"), "--image-frame", str(image_frame)]
+    return run_pass(configuration, settings, "judged", extra)
+
+
+def measure(matrix, settings, image_frame, progress):
+    """Runs the whole matrix. Returns what was measured by configuration, and the failures as sentences.
+
+    A configuration whose judged pass fails is not timed; the others go on, so that one page shows all faults.
+    """
+    (settings.out / "runs").mkdir(parents=True, exist_ok=True)
+    (settings.out / "pictures").mkdir(exist_ok=True)
+    (settings.out / "runs" / "oracle.cache").unlink(missing_ok=True)
+    measured = {configuration: Measured() for configuration in matrix}
+    failures = []
+    painter = next((row for row in matrix if row.queries and row.device == matrix[-1].device), None)
+
+    alive = list(matrix)
+    for number in range(settings.rounds + 1):
+        for configuration in list(alive if number % 2 == 0 else reversed(alive)):
+            progress.start(configuration, number)
+            try:
+                if number == 0:
+                    frame = image_frame if configuration is painter else None
+                    measured[configuration].judged = judge(configuration, settings, frame)
+                else:
+                    timed = run_pass(configuration, settings, f"timed-{number}")
+                    measured[configuration].timed.append(timed)
+            except RunFailed as failure:
+                failures.append(str(failure))
+                alive.remove(configuration)
+                progress.fail(failure)
+            progress.finish(configuration)
+    return measured, failures

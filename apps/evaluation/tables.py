@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+"""The table rows of the page, as HTML. A dash stands where a thing does not apply."""
+from html import escape
+
+from .matrix import BASELINE, BOUND, DEVICE_TITLES
+from .paper import CITY, FRUSTUM_TRIANGLES, SCENE_TRIANGLES, VISIBLE_TRIANGLES
+from .rows import noise, row_with
+
+DASH = "–"
+
+
+def number(value, digits=0):
+    return DASH if value is None else f"{value:,.{digits}f}"
+
+
+def cells(*values):
+    return "".join(f"<td>{value}</td>" for value in values)
+
+
+def late_by(row):
+    """The latency of a row in words."""
+    if row.latency_us is None:
+        return DASH
+    return f"{row.latency_us:g} µs" if row.latency_us else "driver's own"
+
+
+def name_of(row):
+    return f"{row.culler}, {late_by(row)}" if row.latency_us is not None else row.culler
+
+
+def time_bar(row, longest_ms):
+    """A bar of at most 90 px: the waiting dark, the rest light."""
+    wait_ms = row.stall_ms or 0
+    kind = row.culler if row.culler in (BASELINE, BOUND) else "rest"
+    parts = [("wait", wait_ms), (kind, row.frame_ms - wait_ms)]
+    drawn = "".join(
+        f'<i class="{css}" style="width:{max(1, round(90 * ms / longest_ms))}px"></i>' for css, ms in parts if ms > 0
+    )
+    return f'<td class="time"><div class="bar">{drawn}{number(row.frame_ms, 1)}</div></td>'
+
+
+def bad_if(value):
+    """A whole-path total that ought to be zero."""
+    return f'<td class="{"bad" if value else ""}">{value:,}</td>'
+
+
+def main_table(rows):
+    lines, group = [], None
+    longest_ms = max((row.frame_ms for row in rows), default=1)
+    for row in rows:
+        heading = "The same again, to show the noise" if row.repeat else DEVICE_TITLES.get(row.device, row.device)
+        if heading != group:
+            lines.append(f'<tr class="group"><td colspan="13">{escape(heading)}</td></tr>')
+            group = heading
+        lines.append(
+            f'<tr class="{"again" if row.repeat else ""}">'
+            + cells(escape(row.culler), late_by(row))
+            + cells(number(row.queries or None), number(row.waits or None), number(row.drawn_triangles))
+            + bad_if(row.false_culls_total)
+            + bad_if(row.wrong_pixels_total)
+            + time_bar(row, longest_ms)
+            + cells(number(row.frame_ms_median, 1), number(row.stall_ms, 1), number(row.layer_stall_ms, 1))
+            + cells(number(row.speedup_of_means, 2), number(row.speedup_mean, 2))
+            + "</tr>"
+        )
+    return "\n".join(lines)
+
+
+def paper_table(rows, device):
+    """Each published row with ours of the same culler and device under it, at the driver's own time."""
+    lines = []
+    for published in CITY:
+        ratio = CITY[0].frame_ms / published.frame_ms
+        lines.append(
+            "<tr>"
+            + cells(published.culler, "paper, 2004", number(published.queries), number(published.wait_ms, 2))
+            + cells(number(published.drawn_triangles), number(published.frame_ms, 2), number(ratio, 2))
+            + cells(number(published.speedup, 1))
+            + "</tr>"
+        )
+        row = row_with(rows, device, published.culler) or row_with(rows, device, published.culler, 0)
+        if row is not None:
+            lines.append(
+                '<tr class="ours">'
+                + cells("", "here", number(row.queries or None), number(row.stall_ms, 2))
+                + cells(number(row.drawn_triangles), number(row.frame_ms, 2), number(row.speedup_of_means, 2))
+                + cells(number(row.speedup_mean, 2))
+                + "</tr>"
+            )
+    return "\n".join(lines)
+
+
+def selectivity_table(rows, device, scene_triangles):
+    """The shares that decide what culling can save at all."""
+    row = row_with(rows, device, BOUND)
+    if row is None:
+        return ""
+    frustum, visible = row.frustum_triangles, row.drawn_triangles
+    shares = (
+        ("triangles in the scene", number(SCENE_TRIANGLES), number(scene_triangles)),
+        ("inside the view, of all", f"{FRUSTUM_TRIANGLES / SCENE_TRIANGLES:.1%}", f"{frustum / scene_triangles:.1%}"),
+        ("drawn by ideal, of those in view", f"{VISIBLE_TRIANGLES / FRUSTUM_TRIANGLES:.1%}", f"{visible / frustum:.1%}"),
+        ("drawn by ideal, of all", f"{VISIBLE_TRIANGLES / SCENE_TRIANGLES:.2%}", f"{visible / scene_triangles:.2%}"),
+    )  # fmt: skip
+    return "\n".join(f"<tr>{cells(*share)}</tr>" for share in shares)
+
+
+def noise_table(rows):
+    lines = []
+    for first, again, difference in noise(rows):
+        lows = min(first.frame_ms_of_rounds_low, again.frame_ms_of_rounds_low)
+        highs = max(first.frame_ms_of_rounds_high, again.frame_ms_of_rounds_high)
+        lines.append(
+            "<tr>"
+            + cells(escape(f"{name_of(first)}, {first.device}"), number(first.frame_ms, 2), number(again.frame_ms, 2))
+            + cells(f"{difference:+.1%}", f"{lows:,.2f} to {highs:,.2f}")
+            + "</tr>"
+        )
+    return "\n".join(lines)
