@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: MIT
+"""osgocclusionquery culls a scene of ours by core SAMPLES_PASSED queries, which it polls and never waits for.
+
+The scene: two balls, one of them wholly behind a wall. A ball has over 5,000 vertices, so the program puts it
+under an occlusion query; the wall has four, so it is drawn first. Every sixth frame both balls are asked for,
+and a question is polled in the frame that asks it and in each following frame until it is answered. Hence
+under `frames=N`, where an answer needs N swaps, a question takes exactly N + 1 polls.
+"""
+import math
+import pathlib
+import tempfile
+import unittest
+
+import under_layer
+import x_window
+
+BALLS = 2
+FRAMES = 60
+SIZE = (403, 305)  # odd, so that no other program's window is taken for it
+SINGLE_THREAD = {"OSG_WINDOW": "0 0 {} {}".format(*SIZE), "OSG_THREADING": "SingleThreaded"}
+
+
+def ball(x, away, radius=1.0, rings=80):
+    """A ball as OBJ text, in the loader's axes: x right, y up, z towards the viewer."""
+    lines = []
+    for ring in range(rings + 1):
+        for step in range(rings):
+            polar, turn = math.pi * ring / rings, 2 * math.pi * step / rings
+            nx, ny, nz = math.sin(polar) * math.cos(turn), math.cos(polar), math.sin(polar) * math.sin(turn)
+            lines += [f"v {x + radius * nx} {radius * ny} {radius * nz - away}", f"vn {nx} {ny} {nz}"]
+    for ring in range(rings):
+        for step in range(rings):
+            first, second = ring * rings + step + 1, ring * rings + (step + 1) % rings + 1
+            corners = (first, second, second + rings, first + rings)
+            lines.append("f " + " ".join(f"{corner}//{corner}" for corner in corners))
+    return "\n".join(lines) + "\n"
+
+
+WALL = "v -5 -2 1\nv -0.5 -2 1\nv -0.5 2 1\nv -5 2 1\nvn 0 0 1\nf 1//1 2//1 3//1 4//1\n"
+
+
+class Osgocclusionquery(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.command = ["osgocclusionquery"]
+        for name, text in (("hidden", ball(-3, 3)), ("wall", WALL), ("shown", ball(3, 3))):
+            path = pathlib.Path(folder.name, f"{name}.obj")
+            path.write_text(text)
+            cls.command.append(str(path))
+
+    def frames(self, **how):
+        """Run FRAMES frames; the program counts them itself."""
+        environment = dict(SINGLE_THREAD, OSG_RUN_FRAME_COUNT=str(FRAMES))
+        return under_layer.run(self.command, environment=environment, **how)
+
+    def picture(self, **how):
+        """The picture at rest, and the run that Escape then ended."""
+        with under_layer.Program(self.command, environment=SINGLE_THREAD, **how) as program:
+            window = x_window.Window(SIZE)
+            picture = window.picture_at_rest()
+            window.press("Escape")
+            return picture, program.finish()
+
+    def test_it_asks_the_same_with_and_without_latency_and_never_waits(self):
+        bare = self.frames(layer=False)
+        self.assertEqual(bare.status, 0, bare.errors)
+        self.assertIsNone(bare.report)
+        queries = set()
+        for device in ("mesa", "geforce-fx-5950"):
+            for clock in (None, "frames=1", "frames=3", "wall=50"):
+                with self.subTest(device=device, clock=clock):
+                    run = self.frames(device=device, clock=clock)
+                    self.assertEqual((run.output, run.errors, run.status), (bare.output, bare.errors, bare.status))
+                    self.assertGreaterEqual(len(run.report.frames()), FRAMES)
+                    self.assertEqual(run.report.total("waits"), 0)
+                    queries.add(run.report.total("queries_begun"))
+        self.assertEqual(len(queries), 1, queries)
+        self.assertGreaterEqual(queries.pop(), BALLS * (FRAMES // 6 - 1))
+
+    def test_a_question_takes_one_poll_more_than_the_clock_has_frames(self):
+        for latency in (1, 2, 3):
+            with self.subTest(latency=latency):
+                report = self.frames(device="mesa", clock=f"frames={latency}").report
+                polls_each = latency + 1
+                missing = report.total("queries_begun") * polls_each - report.total("polls")
+                self.assertGreaterEqual(missing, 0)
+                self.assertLess(missing, BALLS * polls_each)  # the last question of each ball may stay unanswered
+
+    def test_the_layer_draws_the_balls_and_the_wall_in_every_frame_that_mesa_does(self):
+        draws = {clock: self.frames(device="mesa", clock=clock).report.draws_of_frames()
+                 for clock in (None, "frames=1")}
+        self.assertGreater(len(draws[None]), 1)  # some frames draw the boxes of the questions, or lack a ball
+        self.assertEqual(draws[None], draws["frames=1"])
+
+    def test_the_picture_is_mesas_on_every_device_with_every_latency(self):
+        bare, run = self.picture(layer=False)
+        self.assertEqual((run.status, run.report), (0, None))
+        colors = set(zip(bare[0::4], bare[1::4], bare[2::4]))
+        self.assertGreater(len(colors), 20)  # a shaded ball, not a blank window
+        for device, clock in (("mesa", None), ("mesa", "frames=2"), ("mesa", "wall=20000"),
+                              ("geforce-fx-5950", None), ("geforce-fx-5950", "calls=100")):
+            with self.subTest(device=device, clock=clock):
+                picture, run = self.picture(device=device, clock=clock)
+                self.assertEqual(run.status, 0)
+                self.assertGreater(run.report.total("queries_begun"), 0)
+                self.assertTrue(picture == bare)  # by ==: assertEqual would print both pictures
+
+
+if __name__ == "__main__":
+    under_layer.main()
