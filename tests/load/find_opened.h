@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The Finders of a program that opens its GL libraries, locally, and looks every function up.
+// The including file defines _GNU_SOURCE first where it needs RTLD_NEXT and its like.
+#pragma once
+
+#include <dlfcn.h>
+
+#include "platform.h"
+
+static void* winsys_handle;
+static void* gl_handle;
+
+static inline Function find_winsys_symbol(const char* name) {
+    return as_function(dlsym(winsys_handle, name));
+}
+
+static inline Function find_gl_symbol(const char* name) {
+    return as_function(dlsym(gl_handle, name));
+}
+
+static inline void* open_or_exit(const char* library, int mode) {
+    void* handle = dlopen(library, mode);
+    if (!handle) exit(failed(dlerror()));
+    return handle;
+}
+
+static inline void open_gl_libraries(void) {
+    winsys_handle = open_or_exit(WINSYS_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+    gl_handle = open_or_exit("libGL.so.1", RTLD_NOW | RTLD_LOCAL);
+}
