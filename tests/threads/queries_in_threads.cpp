@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+// GL_ARB_occlusion_query when several threads and contexts use it. Runs on the bare driver too, which shows
+// that the tests ask for no more than GL says; under a clock of calls, POLLS says when a result is due.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <functional>
+#include <random>
+#include <thread>
+
+#include "thread_context.h"
+
+namespace threads {
+namespace {
+
+constexpr int kPollLimit = 1'000'000;  // a result that is not there by then never comes
+
+struct Answer {
+    GLuint samples;
+    int polls;  // until QUERY_RESULT_AVAILABLE was TRUE, that poll included
+};
+
+Answer wait_for(GLuint query) {
+    Answer answer{};
+    GLuint available = GL_FALSE;
+    while (!available && answer.polls < kPollLimit) {
+        glGetQueryObjectuiv(query, GL_QUERY_RESULT_AVAILABLE, &available);
+        ++answer.polls;
+    }
+    glGetQueryObjectuiv(query, GL_QUERY_RESULT, &answer.samples);
+    return answer;
+}
+
+Answer query_pixels(GLuint query, int width, int height) {
+    glBeginQuery(GL_SAMPLES_PASSED, query);
+    draw_pixels(width, height, 0.0F);
+    glEndQuery(GL_SAMPLES_PASSED);
+    return wait_for(query);
+}
+
+GLuint current_query() {
+    GLint query = -1;
+    glGetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, &query);
+    return static_cast<GLuint>(query);
+}
+
+GLuint new_query() {
+    GLuint query = 0;
+    glGenQueries(1, &query);
+    return query;
+}
+
+// The poll that every result has to arrive with; 0: whichever.
+int expected_polls() {
+    const char* text = std::getenv("POLLS");
+    return text ? std::atoi(text) : 0;
+}
+
+void in_another_thread(const std::function<void()>& work) {
+    std::thread(work).join();
+}
+
+struct Mistakes {
+    int wrong_counts = -1;
+    int wrong_times = -1;
+};
+
+// <queries> queries of random size, waited for one by one; counts are width times height.
+Mistakes run_queries(int queries, unsigned seed) {
+    std::mt19937 random(seed);
+    Mistakes mistakes{0, 0};
+    const GLuint query = new_query();
+    for (int i = 0; i < queries; ++i) {
+        const int width = 1 + static_cast<int>(random() % kSize);
+        const int height = 1 + static_cast<int>(random() % kSize);
+        const Answer answer = query_pixels(query, width, height);
+        if (answer.samples != static_cast<GLuint>(width * height)) ++mistakes.wrong_counts;
+        if (expected_polls() != 0 && answer.polls != expected_polls()) ++mistakes.wrong_times;
+    }
+    return mistakes;
+}
+
+TEST(queries_in_threads, two_threads_with_a_context_each_get_their_own_1000_counts_in_time) {
+    std::array<Mistakes, 2> of_thread;
+    const auto work = [&of_thread](unsigned index) {
+        const ThreadContext context;
+        context.make_current();
+        of_thread[index] = run_queries(1000, index);
+        ThreadContext::release();
+    };
+    std::thread first(work, 0);
+    std::thread second(work, 1);
+    first.join();
+    second.join();
+    for (const Mistakes& mistakes : of_thread) {
+        EXPECT_EQ(mistakes.wrong_counts, 0);
+        EXPECT_EQ(mistakes.wrong_times, 0);
+    }
+}
+
+// ARB_occlusion_query, issues: "Should query objects be shared between contexts? RESOLVED: NO."
+TEST(queries_in_threads, a_share_group_does_not_share_query_names) {
+    const ThreadContext first;
+    const ThreadContext second(&first);
+    first.make_current();
+    const GLuint name = new_query();
+    EXPECT_EQ(query_pixels(name, 8, 8).samples, 64U);
+    EXPECT_TRUE(glIsQuery(name));
+    in_another_thread([&] {
+        second.make_current();
+        EXPECT_FALSE(glIsQuery(name));
+        EXPECT_EQ(current_query(), 0U);
+        const GLuint own_name = new_query();
+        EXPECT_EQ(query_pixels(own_name, 4, 4).samples, 16U);
+        ThreadContext::release();
+    });
+    GLuint samples = 0;
+    glGetQueryObjectuiv(name, GL_QUERY_RESULT, &samples);
+    EXPECT_EQ(samples, 64U);
+    ThreadContext::release();
+}
+
+TEST(queries_in_threads, a_context_handed_to_another_thread_keeps_its_active_query) {
+    const ThreadContext context;
+    context.make_current();
+    const GLuint query = new_query();
+    glBeginQuery(GL_SAMPLES_PASSED, query);
+    draw_pixels(10, 10, 0.0F);
+    ThreadContext::release();
+    in_another_thread([&] {
+        context.make_current();
+        EXPECT_EQ(current_query(), query);
+        draw_pixels(5, 10, 0.0F);
+        glEndQuery(GL_SAMPLES_PASSED);
+        EXPECT_EQ(wait_for(query).samples, 150U);
+        ThreadContext::release();
+    });
+}
+
+TEST(queries_in_threads, a_result_in_flight_survives_having_no_current_context) {
+    const ThreadContext context;
+    context.make_current();
+    const GLuint query = new_query();
+    glBeginQuery(GL_SAMPLES_PASSED, query);
+    draw_pixels(10, 10, 0.0F);
+    glEndQuery(GL_SAMPLES_PASSED);
+    ThreadContext::release();
+    context.make_current();
+    EXPECT_EQ(wait_for(query).samples, 100U);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    ThreadContext::release();
+}
+
+TEST(queries_in_threads, after_a_context_that_ended_inside_a_query_the_next_one_starts_clean) {
+    for (int round = 0; round < 20; ++round) {
+        ThreadContext context;
+        context.make_current();
+        EXPECT_EQ(current_query(), 0U) << "round " << round;
+        EXPECT_FALSE(glIsQuery(1)) << "round " << round;
+        EXPECT_EQ(query_pixels(new_query(), 6, 7).samples, 42U) << "round " << round;
+        EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)) << "round " << round;
+        glBeginQuery(GL_SAMPLES_PASSED, new_query());
+        draw_pixels(8, 8, 0.0F);
+        // Mesa 22.3.6's llvmpipe frees an active query with its context while its threads still count for it.
+        glFinish();
+        if (round % 2 == 0) context.destroy();  // while it is current
+        ThreadContext::release();
+    }
+}
+
+}  // namespace
+}  // namespace threads
