@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "context/advertised.h"
+
+#include <algorithm>
+#include <deque>
+#include <mutex>
+
+#include "context/context.h"
+
+namespace glext_emu {
+namespace {
+
+std::string_view string_or_empty(const GLubyte* text) {
+    return text == nullptr ? "" : reinterpret_cast<const char*>(text);
+}
+
+std::vector<std::string> driver_extensions(Context& ctx) {
+    std::vector<std::string> names;
+    if (ctx.kind.version >= GlVersion{3, 0}) {
+        GLint count = 0;
+        ctx.real->glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+        for (GLint i = 0; i < count; ++i) {
+            names.emplace_back(string_or_empty(ctx.real->glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))));
+        }
+        return names;
+    }
+    std::string_view rest = string_or_empty(ctx.real->glGetString(GL_EXTENSIONS));
+    while (!rest.empty()) {
+        const std::string_view name = rest.substr(0, rest.find(' '));
+        if (!name.empty()) names.emplace_back(name);
+        rest.remove_prefix(std::min(rest.size(), name.size() + 1));
+    }
+    return names;
+}
+
+// "4.5 (Compatibility Profile) Mesa 22.3.6" -> "1.5 Mesa 22.3.6": profiles came with 3.2.
+std::string version_string(std::string_view driver, GlVersion version) {
+    constexpr std::string_view kProfile = "(Compatibility Profile) ";
+    std::string rest(driver.substr(std::min(driver.size(), driver.find(' '))));
+    const auto profile = rest.find(kProfile);
+    if (version < GlVersion{3, 2} && profile != std::string::npos) rest.erase(profile, kProfile.size());
+    return std::to_string(version.major) + "." + std::to_string(version.minor) + rest;
+}
+
+// The GLSL version that came with a GL version; below 2.0 the one of ARB_shading_language_100.
+const char* shading_language(GlVersion version) {
+    struct Row {
+        GlVersion gl;
+        const char* glsl;
+    };
+    static constexpr Row kRows[] = {{{4, 6}, "4.60"}, {{4, 5}, "4.50"}, {{4, 4}, "4.40"}, {{4, 3}, "4.30"},
+                                    {{4, 2}, "4.20"}, {{4, 1}, "4.10"}, {{4, 0}, "4.00"}, {{3, 3}, "3.30"},
+                                    {{3, 2}, "1.50"}, {{3, 1}, "1.40"}, {{3, 0}, "1.30"}, {{2, 1}, "1.20"},
+                                    {{2, 0}, "1.10"}};
+    for (const Row& row : kRows) {
+        if (version >= row.gl) return row.glsl;
+    }
+    return "1.00";
+}
+
+}  // namespace
+
+bool Advertised::has(std::string_view extension) const {
+    return std::ranges::find(extensions, extension) != extensions.end();
+}
+
+const Advertised* advertise(Context& ctx, const Device& device) {
+    Advertised made;
+    const std::string_view driver_version = string_or_empty(ctx.real->glGetString(GL_VERSION));
+    made.version = ctx.kind.version;
+    made.version_string = driver_version;
+    made.extensions = driver_extensions(ctx);
+    // A device speaks of compatibility contexts; core-profile and ES contexts are as the driver makes them.
+    if (ctx.kind.is_compatibility()) {
+        if (device.gl_version && *device.gl_version < ctx.kind.version) {
+            made.version_differs = true;
+            made.version = *device.gl_version;
+            made.version_string = version_string(driver_version, made.version);
+            made.shading_language = shading_language(made.version);
+        }
+        const std::size_t before = made.extensions.size();
+        std::erase_if(made.extensions, [&](const std::string& name) { return device.hides(name); });
+        made.extensions_differ = made.extensions.size() != before;
+        for (const std::string& name : device.emulate) {
+            if (made.has(name)) continue;
+            made.extensions.push_back(name);
+            made.extensions_differ = true;
+        }
+    }
+    for (const std::string& name : made.extensions) {
+        if (!made.extension_string.empty()) made.extension_string += ' ';
+        made.extension_string += name;
+    }
+
+    static std::mutex mutex;
+    static auto* const all = new std::deque<Advertised>;
+    const std::lock_guard lock(mutex);
+    const auto same = std::ranges::find_if(*all, [&](const Advertised& other) {
+        return other.version_string == made.version_string && other.extension_string == made.extension_string &&
+               other.extensions_differ == made.extensions_differ;
+    });
+    return same != all->end() ? &*same : &all->emplace_back(std::move(made));
+}
+
+}  // namespace glext_emu

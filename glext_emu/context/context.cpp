@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "context/context.h"
+
+#include "context/settings.h"
+
+namespace glext_emu {
+
+RealGl default_real{};
+thread_local constinit Current current{0, &default_real, nullptr};
+
+Context& enter() {
+    Context& ctx = *current.context;
+    ctx.clock.count_call();
+    return ctx;
+}
+
+Context::Context(const char* platform_name, const RealGl* real_gl, std::shared_ptr<ShareGroup> group)
+    : platform(platform_name), real(real_gl), share_group(std::move(group)), clock(settings().latency) {
+    static std::atomic<int> contexts{0};
+    number = ++contexts;
+}
+
+void Context::update_hot() {
+    hot = always_hot;
+    if (pending_error != GL_NO_ERROR) hot |= kHotError;
+    if (slot.wants_segment()) hot |= kHotDraw;
+    if (current.context == this) current.hot = hot;
+}
+
+void Context::raise(GLenum code) {
+    if (kind.is_no_error) return;
+    if (pending_error == GL_NO_ERROR) {
+        const GLenum earlier = real->glGetError();
+        pending_error = earlier != GL_NO_ERROR ? earlier : code;
+    }
+    update_hot();
+}
+
+OwnCalls::OwnCalls(Context& ctx) : ctx_(ctx) {
+    if (ctx_.own_calls++ == 0 && ctx_.pending_error == GL_NO_ERROR) ctx_.pending_error = ctx_.real->glGetError();
+}
+
+OwnCalls::~OwnCalls() {
+    if (--ctx_.own_calls != 0) return;
+    // A lost context repeats its error for ever.
+    for (int i = 0; i < 8 && ctx_.real->glGetError() != GL_NO_ERROR; ++i) {
+    }
+    ctx_.update_hot();
+}
+
+}  // namespace glext_emu

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// What the layer remembers of one GL context. Only the thread in which it is current touches it, so nothing here is
+// locked; what contexts of a share group have in common is ShareGroup.
+#pragma once
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "context/advertised.h"
+#include "context/current.h"
+#include "context/device.h"
+#include "context/display_lists.h"
+#include "context/frame_counts.h"
+#include "context/occlusion_slot.h"
+#include "occlusion_unit/clock.h"
+
+namespace glext_emu {
+
+// The HP test's enable, as PushAttrib(ENABLE_BIT) saved it.
+struct SavedEnable {
+    GLbitfield mask;
+    bool test_enabled;
+};
+
+// What a context is, read once through the driver when it is first made current.
+struct ContextKind {
+    bool is_es = false;
+    bool is_core_profile = false;
+    GlVersion version;            // the driver's
+    bool has_any_samples = false; // ANY_SAMPLES_PASSED is a target of the driver's
+    bool has_query_buffer = false;
+    bool is_no_error = false;
+    GLint attrib_stack_depth = 0; // compatibility contexts only
+
+    bool is_compatibility() const { return !is_es && !is_core_profile; }
+};
+
+struct Context {
+    Context(const char* platform_name, const RealGl* real_gl, std::shared_ptr<ShareGroup> group);
+
+    // Recomputes the hot word. Call after whatever it depends on has changed.
+    void update_hot();
+    // A GL error of the layer's own, after whatever error the driver already holds: the first one sticks.
+    void raise(GLenum code);
+
+    const char* platform;  // "glx" or "egl"
+    const RealGl* real;    // the driver below; `ctx.real->` marks every contact with it
+    int number;            // 1, 2, ... in order of creation, for reports
+    std::shared_ptr<ShareGroup> share_group;
+    std::atomic<int> references{1};  // the handle, and each thread in which it is current
+
+    bool is_initialised = false;  // by the first MakeCurrent
+    ContextKind kind;
+    const Advertised* advertised = nullptr;
+    bool emulates_test = false;  // GL_HP_occlusion_test
+    std::uint32_t always_hot = 0;
+
+    std::uint32_t hot = 0;
+    GLenum pending_error = GL_NO_ERROR;  // returned by the next GetError, before the driver's
+    int own_calls = 0;  // nested OwnCalls scopes
+    bool inside_begin_end = false;
+    ListRecording recording;
+    std::vector<SavedEnable> attrib_stack;
+    OcclusionSlot slot;
+    occlusion_unit::Clock clock;
+    FrameCounts frame;
+};
+
+// The layer's own calls of the driver in the midst of the program's: an error that the program has pending survives
+// them, an error of theirs is not seen. Never between Begin and End.
+class OwnCalls {
+  public:
+    explicit OwnCalls(Context& ctx);
+    ~OwnCalls();
+    OwnCalls(const OwnCalls&) = delete;
+    OwnCalls& operator=(const OwnCalls&) = delete;
+
+  private:
+    Context& ctx_;
+};
+
+}  // namespace glext_emu

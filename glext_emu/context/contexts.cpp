@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+#include "context/contexts.h"
+
+#include <pthread.h>
+
+#include <cstring>
+#include <mutex>
+#include <unordered_map>
+#include <utility>
+
+#include "context/refusals.h"
+#include "context/report.h"
+#include "context/settings.h"
+
+namespace glext_emu {
+namespace {
+
+// Leaked on purpose: programs call GL from their own destructors.
+struct Contexts {
+    std::mutex mutex;
+    std::unordered_map<const void*, Context*> by_handle;
+};
+
+Contexts& contexts() {
+    static Contexts* const all = [] {
+        auto* made = new Contexts;
+        // A fork in the midst of another thread's create or destroy must not leave the child a locked door.
+        pthread_atfork([] { contexts().mutex.lock(); }, [] { contexts().mutex.unlock(); },
+                       [] { contexts().mutex.unlock(); });
+        return made;
+    }();
+    return *all;
+}
+
+void release(Context* ctx) {
+    if (ctx == nullptr || --ctx->references != 0) return;
+    Report::instance().end_context(*ctx);
+    delete ctx;
+}
+
+GlVersion parse_version(const char* text) {
+    GlVersion version;
+    while (*text != '\0' && (*text < '0' || *text > '9')) ++text;
+    while (*text >= '0' && *text <= '9') version.major = version.major * 10 + (*text++ - '0');
+    if (*text == '.') ++text;
+    while (*text >= '0' && *text <= '9') version.minor = version.minor * 10 + (*text++ - '0');
+    return version;
+}
+
+GLint get(const Context& ctx, GLenum name) {
+    GLint value = 0;
+    ctx.real->glGetIntegerv(name, &value);
+    return value;
+}
+
+ContextKind read_kind(const Context& ctx) {
+    ContextKind kind;
+    const auto* version = reinterpret_cast<const char*>(ctx.real->glGetString(GL_VERSION));
+    if (version == nullptr) version = "";
+    kind.is_es = std::strncmp(version, "OpenGL ES", 9) == 0;
+    kind.version = parse_version(version);
+    if (kind.is_es) return kind;
+    if (kind.version >= GlVersion{3, 2}) {
+        kind.is_core_profile = (get(ctx, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
+    }
+    if (kind.version >= GlVersion{3, 0}) {
+        kind.is_no_error = (get(ctx, GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_NO_ERROR_BIT) != 0;
+    }
+    return kind;
+}
+
+std::uint32_t always_hot(const Context& ctx) {
+    const Settings& wanted = settings();
+    constexpr std::uint32_t kCounting = kHotDraw | kHotImmediate | kHotList | kHotQuery;
+    std::uint32_t hot = 0;
+    if (!wanted.report_path.empty()) hot |= kCounting;
+    if (ctx.emulates_test) hot |= kHotImmediate | kHotList | kHotQuery | kHotEnable | kHotAttrib | kHotGet;
+    if (ctx.clock.delays()) hot |= kHotImmediate | kHotList | kHotQuery;
+    if (wanted.device.counter_bits || refuses_any_query(ctx)) hot |= kHotQuery;
+    if (ctx.advertised->version_differs || ctx.advertised->extensions_differ) hot |= kHotString | kHotGet;
+    if (ctx.clock.counts_calls()) hot |= kHotAll;
+    return hot;
+}
+
+// What only the driver can tell, and only while the context is current.
+void initialise(Context& ctx) {
+    ctx.kind = read_kind(ctx);
+    ctx.advertised = advertise(ctx, settings().device);
+    // OpenGL 3.1 had no profiles: without ARB_compatibility it is a core context.
+    if (!ctx.kind.is_es && ctx.kind.version == GlVersion{3, 1} && !ctx.advertised->has("GL_ARB_compatibility")) {
+        ctx.kind.is_core_profile = true;
+    }
+    const bool is_desktop = !ctx.kind.is_es;
+    ctx.kind.has_any_samples = is_desktop && (ctx.kind.version >= GlVersion{3, 3} ||
+                                              ctx.advertised->has("GL_ARB_occlusion_query2"));
+    ctx.kind.has_query_buffer = is_desktop && (ctx.kind.version >= GlVersion{4, 4} ||
+                                               ctx.advertised->has("GL_ARB_query_buffer_object"));
+    if (ctx.kind.is_compatibility()) ctx.kind.attrib_stack_depth = get(ctx, GL_MAX_ATTRIB_STACK_DEPTH);
+    ctx.emulates_test = ctx.kind.is_compatibility() && settings().device.emulates("GL_HP_occlusion_test");
+    ctx.always_hot = always_hot(ctx);
+    ctx.is_initialised = true;
+    Report::instance().begin_context(ctx);
+}
+
+}  // namespace
+
+void context_created(const char* platform, const RealGl& real, const void* handle, const void* share) {
+    const std::lock_guard lock(contexts().mutex);
+    const auto shared = contexts().by_handle.find(share);
+    auto group = shared != contexts().by_handle.end() ? shared->second->share_group : std::make_shared<ShareGroup>();
+    auto* made = new Context(platform, &real, std::move(group));
+    Context*& entry = contexts().by_handle[handle];
+    release(std::exchange(entry, made));
+}
+
+void context_destroyed(const void* handle) {
+    const std::lock_guard lock(contexts().mutex);
+    const auto found = contexts().by_handle.find(handle);
+    if (found == contexts().by_handle.end()) return;
+    release(found->second);
+    contexts().by_handle.erase(found);
+}
+
+void context_made_current(const char* platform, const RealGl& real, const void* handle) {
+    Context* const before = current.context;
+    if (handle == nullptr) {
+        current = {0, current.real, nullptr};
+    } else {
+        const std::lock_guard lock(contexts().mutex);
+        Context*& ctx = contexts().by_handle[handle];
+        if (ctx == nullptr) ctx = new Context(platform, &real, std::make_shared<ShareGroup>());
+        ++ctx->references;
+        current = {0, ctx->real, ctx};
+    }
+    release(before);
+    if (current.context == nullptr) return;
+    if (!current.context->is_initialised) initialise(*current.context);
+    current.context->update_hot();
+}
+
+void context_copied(const void* from, const void* to, GLbitfield mask) {
+    if ((mask & GL_ENABLE_BIT) == 0) return;
+    const std::lock_guard lock(contexts().mutex);
+    const auto source = contexts().by_handle.find(from);
+    const auto target = contexts().by_handle.find(to);
+    if (source == contexts().by_handle.end() || target == contexts().by_handle.end()) return;
+    // The enable is state of the group "enable"; the flag belongs to none.
+    target->second->slot.test_enabled = source->second->slot.test_enabled;
+    target->second->update_hot();
+}
+
+void buffers_swapped() {
+    Context* const ctx = current.context;
+    if (ctx == nullptr) return;
+    ctx->clock.count_swap();
+    Report::instance().end_frame(*ctx);
+}
+
+}  // namespace glext_emu

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: MIT
+#include "context/device.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <span>
+
+#define TOML_EXCEPTIONS 0
+#define TOML_ENABLE_UNRELEASED_FEATURES 0
+#include <toml++/toml.h>
+
+namespace glext_emu {
+namespace {
+
+struct Builtin {
+    std::string_view name;
+    std::string_view text;
+};
+constexpr Builtin kBuiltins[] = {
+#include "builtin_devices.inc"
+};
+
+constexpr std::string_view kCanEmulate[] = {"GL_HP_occlusion_test"};
+// A device file larger than this is not one.
+constexpr long kLongestFile = 1 << 20;
+
+std::string quoted_list(std::span<const std::string_view> words) {
+    std::string list;
+    for (const std::string_view word : words) {
+        if (!list.empty()) list += ", ";
+        list += word;
+    }
+    return list;
+}
+
+// Reads keys of one table, remembers the first thing that is wrong.
+class Reader {
+  public:
+    Reader(const toml::table& table, std::string_view file, std::string& error)
+        : table_(table), file_(file), error_(error) {}
+
+    void allow_only(std::span<const std::string_view> keys) {
+        for (const auto& [key, value] : table_) {
+            if (std::ranges::find(keys, key.str()) != keys.end()) continue;
+            complain(key.source().begin.line, "unknown key `" + std::string(key.str()) + "`, expected one of " +
+                                                  quoted_list(keys));
+        }
+    }
+
+    void string(std::string_view key, std::string& out, bool required) {
+        const toml::node* node = table_.get(key);
+        if (node == nullptr) {
+            if (required) complain(1, "`" + std::string(key) + "` is missing, expected a string");
+        } else if (const auto value = node->value_exact<std::string>()) {
+            out = *value;
+        } else {
+            complain(line(*node), "`" + std::string(key) + "` is not a string");
+        }
+    }
+
+    void integer(std::string_view key, int low, int high, std::optional<int>& out) {
+        const toml::node* node = table_.get(key);
+        if (node == nullptr) return;
+        const auto value = node->value_exact<std::int64_t>();
+        if (value && *value >= low && *value <= high) {
+            out = static_cast<int>(*value);
+        } else {
+            complain(line(*node), "`" + std::string(key) + "` is not a whole number from " +
+                                      std::to_string(low) + " to " + std::to_string(high));
+        }
+    }
+
+    void extensions(std::string_view key, std::vector<std::string>& out) {
+        const toml::node* node = table_.get(key);
+        if (node == nullptr) return;
+        const toml::array* array = node->as_array();
+        if (array == nullptr) {
+            return complain(line(*node), "`" + std::string(key) + "` is not a list of extension names");
+        }
+        for (const toml::node& element : *array) {
+            const auto name = element.value_exact<std::string>();
+            if (!name || !name->starts_with("GL_") || name->find(' ') != std::string::npos) {
+                return complain(line(element), "`" + std::string(key) +
+                                                   "` holds something other than an extension name such as "
+                                                   "\"GL_ARB_occlusion_query\"");
+            }
+            out.push_back(*name);
+        }
+    }
+
+    const toml::table* table(std::string_view key) {
+        const toml::node* node = table_.get(key);
+        if (node == nullptr) return nullptr;
+        if (!node->is_table()) complain(line(*node), "`" + std::string(key) + "` is not a table");
+        return node->as_table();
+    }
+
+    void complain(unsigned line, const std::string& what) {
+        if (error_.empty()) error_ = std::string(file_) + ":" + std::to_string(line) + ": " + what + ".";
+    }
+    unsigned line_of(std::string_view key) const { return line(*table_.get(key)); }
+
+  private:
+    static unsigned line(const toml::node& node) { return node.source().begin.line; }
+
+    const toml::table& table_;
+    std::string_view file_;
+    std::string& error_;
+};
+
+// "1.5": one digit, a point, one digit, from 1.0 to 4.6.
+std::optional<GlVersion> parse_version(std::string_view text) {
+    const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+    if (text.size() != 3 || !digit(text[0]) || text[1] != '.' || !digit(text[2])) return std::nullopt;
+    const GlVersion version{text[0] - '0', text[2] - '0'};
+    if (version < GlVersion{1, 0} || version > GlVersion{4, 6}) return std::nullopt;
+    return version;
+}
+
+}  // namespace
+
+bool Device::emulates(std::string_view extension) const {
+    return std::ranges::find(emulate, extension) != emulate.end();
+}
+
+bool Device::hides(std::string_view extension) const { return std::ranges::find(hide, extension) != hide.end(); }
+
+bool Device::is_pass_through() const {
+    return !gl_version && emulate.empty() && hide.empty() && !counter_bits;
+}
+
+std::vector<std::string_view> builtin_device_names() {
+    std::vector<std::string_view> names;
+    for (const Builtin& builtin : kBuiltins) names.push_back(builtin.name);
+    return names;
+}
+
+DeviceOrError parse_device(std::string_view text, std::string_view file) {
+    DeviceOrError result;
+    const toml::parse_result parsed = toml::parse(text, file);
+    if (!parsed) {
+        result.error = std::string(file) + ":" + std::to_string(parsed.error().source().begin.line) + ": " +
+                       std::string(parsed.error().description()) + ".";
+        return result;
+    }
+
+    Device device;
+    Reader root(parsed.table(), file, result.error);
+    static constexpr std::string_view kRootKeys[] = {"name",       "description", "source", "year",
+                                                     "gl_version", "extensions",  "query"};
+    root.allow_only(kRootKeys);
+    root.string("name", device.name, true);
+    root.string("description", device.description, true);
+    root.string("source", device.source, true);
+    root.integer("year", 1980, 2100, device.year);
+
+    std::string version;
+    root.string("gl_version", version, false);
+    if (!version.empty()) {
+        device.gl_version = parse_version(version);
+        if (!device.gl_version) {
+            root.complain(root.line_of("gl_version"), "`gl_version` is not a version from \"1.0\" to \"4.6\"");
+        }
+    }
+    if (const toml::table* table = root.table("extensions")) {
+        Reader extensions(*table, file, result.error);
+        static constexpr std::string_view kKeys[] = {"emulate", "hide"};
+        extensions.allow_only(kKeys);
+        extensions.extensions("emulate", device.emulate);
+        extensions.extensions("hide", device.hide);
+        for (const std::string& name : device.emulate) {
+            if (std::ranges::find(kCanEmulate, name) != std::end(kCanEmulate)) continue;
+            extensions.complain(extensions.line_of("emulate"),
+                                name + " cannot be emulated, expected one of " + quoted_list(kCanEmulate));
+        }
+    }
+    if (const toml::table* table = root.table("query")) {
+        Reader query(*table, file, result.error);
+        static constexpr std::string_view kKeys[] = {"counter_bits"};
+        query.allow_only(kKeys);
+        query.integer("counter_bits", 1, 64, device.counter_bits);
+    }
+    if (result.error.empty()) result.device = std::move(device);
+    return result;
+}
+
+DeviceOrError load_device(std::string_view name_or_path) {
+    if (name_or_path.find('/') == std::string_view::npos && !name_or_path.ends_with(".toml")) {
+        const auto builtin = std::ranges::find(kBuiltins, name_or_path, &Builtin::name);
+        if (builtin != std::end(kBuiltins)) return parse_device(builtin->text, builtin->name);
+        return {std::nullopt, "there is no device `" + std::string(name_or_path) + "`; built in are " +
+                                  quoted_list(builtin_device_names()) +
+                                  ", and a path to a .toml file names your own."};
+    }
+    const std::string path(name_or_path);
+    std::FILE* file = std::fopen(path.c_str(), "rbe");
+    if (file == nullptr) return {std::nullopt, path + ": this device file cannot be opened."};
+    std::string text(kLongestFile + 1, '\0');
+    text.resize(std::fread(text.data(), 1, text.size(), file));
+    const bool failed = std::ferror(file) != 0;
+    std::fclose(file);
+    if (failed) return {std::nullopt, path + ": this device file cannot be read."};
+    if (text.size() > static_cast<std::size_t>(kLongestFile)) {
+        return {std::nullopt, path + ": a device file is at most one megabyte."};
+    }
+    return parse_device(text, path);
+}
+
+}  // namespace glext_emu

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// A device: which occlusion hardware the program is to believe in. Read from TOML; the built-in ones are part of the
+// library, a user's own is a file.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace glext_emu {
+
+struct GlVersion {
+    int major = 0;
+    int minor = 0;
+    auto operator<=>(const GlVersion&) const = default;
+};
+
+struct Device {
+    std::string name;
+    std::string description;
+    std::string source;
+    std::optional<int> year;
+    std::optional<GlVersion> gl_version;  // of compatibility contexts; the driver's where absent
+    std::vector<std::string> emulate;     // extensions that the driver lacks and the layer supplies
+    std::vector<std::string> hide;        // extensions that the program is not to see
+    std::optional<int> counter_bits;      // width of the samples-passed counter, 1..64; the driver's where absent
+
+    bool emulates(std::string_view extension) const;
+    bool hides(std::string_view extension) const;
+    // True where the program sees the driver as it is.
+    bool is_pass_through() const;
+};
+
+// A device, or one sentence that says what is wrong, with file and line.
+struct DeviceOrError {
+    std::optional<Device> device;
+    std::string error;
+};
+
+// The file names, without extension, of the built-in devices.
+std::vector<std::string_view> builtin_device_names();
+
+// <name_or_path> is a built-in name, or a path: anything that holds a slash or ends in ".toml".
+DeviceOrError load_device(std::string_view name_or_path);
+
+// Reads a device from TOML <text>; <file> is what errors call it.
+DeviceOrError parse_device(std::string_view text, std::string_view file);
+
+}  // namespace glext_emu

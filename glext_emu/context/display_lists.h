@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Display lists that hold emulated operations. The driver knows nothing of those, so such a list is split: a recipe of
+// the driver's lists with our operations between them. Lists without one stay the driver's alone.
+#pragma once
+
+#include <GL/gl.h>
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <set>
+#include <vector>
+
+namespace glext_emu {
+
+struct Context;
+
+// An emulated command with its arguments, as it was compiled.
+struct ListOperation {
+    void (*run)(Context& ctx, const ListOperation& operation);
+    GLuint first = 0;
+    GLuint second = 0;
+    std::vector<std::byte> bytes = {};
+};
+
+struct ListStep {
+    GLuint real_list = 0;  // 0: the operation
+    ListOperation operation{};
+};
+using ListRecipe = std::vector<ListStep>;
+
+// What the contexts of a share group have in common.
+struct ShareGroup {
+    std::mutex mutex;
+    std::map<GLuint, std::shared_ptr<const ListRecipe>> recipes;  // by the program's name
+    std::set<GLuint> hidden_lists;                                // names of the driver's that the program never sees
+};
+
+// The list that is being compiled.
+struct ListRecording {
+    GLuint name = 0;  // 0: none
+    GLenum mode = 0;
+    GLuint segment = 0;  // the driver's list that is open now
+    ListRecipe steps;
+    bool is_suspended = false;  // our own work is under way: commands are executed, not compiled
+
+    bool is_open() const { return name != 0 && !is_suspended; }
+    // True while commands are compiled and not executed.
+    bool only_compiles() const { return is_open() && mode == GL_COMPILE; }
+};
+
+}  // namespace glext_emu

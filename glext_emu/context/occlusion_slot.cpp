@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "context/occlusion_slot.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "context/context.h"
+
+namespace glext_emu {
+namespace {
+
+// A program that never reads the flag keeps at most this many hidden queries.
+constexpr std::size_t kMostUnread = 64;
+
+GLenum segment_target(const Context& ctx) {
+    return ctx.kind.has_any_samples ? GL_ANY_SAMPLES_PASSED : GL_SAMPLES_PASSED;
+}
+
+// Folds the hidden queries that have ended into the flag.
+void fold_segments(Context& ctx) {
+    OcclusionSlot& slot = ctx.slot;
+    for (const GLuint segment : slot.unread_segments) {
+        slot.flag = slot.flag || read_result(ctx, segment) != 0;
+        slot.spare.push_back(segment);
+    }
+    slot.unread_segments.clear();
+}
+
+}  // namespace
+
+bool is_occlusion_target(GLenum target) {
+    return target == GL_SAMPLES_PASSED || target == GL_ANY_SAMPLES_PASSED ||
+           target == GL_ANY_SAMPLES_PASSED_CONSERVATIVE;
+}
+
+GLuint64 read_result(Context& ctx, GLuint query) {
+    const OwnCalls own(ctx);
+    // With a query buffer bound, the driver would take the pointer for an offset into it.
+    GLint buffer = 0;
+    if (ctx.kind.has_query_buffer) ctx.real->glGetIntegerv(GL_QUERY_BUFFER_BINDING, &buffer);
+    if (buffer != 0) ctx.real->glBindBuffer(GL_QUERY_BUFFER, 0);
+    GLuint result = 0;
+    ctx.real->glGetQueryObjectuiv(query, GL_QUERY_RESULT, &result);
+    if (buffer != 0) ctx.real->glBindBuffer(GL_QUERY_BUFFER, static_cast<GLuint>(buffer));
+    return result;
+}
+
+bool OcclusionSlot::is_hidden(GLuint name) const {
+    return name != 0 && (name == open_segment || std::ranges::find(unread_segments, name) != unread_segments.end() ||
+                         std::ranges::find(spare, name) != spare.end());
+}
+
+void open_segment(Context& ctx) {
+    OcclusionSlot& slot = ctx.slot;
+    const OwnCalls own(ctx);
+    if (slot.unread_segments.size() == kMostUnread) fold_segments(ctx);
+    GLuint name = 0;
+    if (slot.spare.empty()) {
+        ctx.real->glGenQueries(1, &name);
+    } else {
+        name = slot.spare.back();
+        slot.spare.pop_back();
+    }
+    ctx.real->glBeginQuery(segment_target(ctx), name);
+    slot.open_segment = name;
+    ctx.frame.queries_begun++;
+    ctx.update_hot();
+}
+
+void close_segment(Context& ctx) {
+    OcclusionSlot& slot = ctx.slot;
+    if (slot.open_segment == 0) return;
+    const OwnCalls own(ctx);
+    ctx.real->glEndQuery(segment_target(ctx));
+    slot.unread_segments.push_back(slot.open_segment);
+    slot.open_segment = 0;
+    slot.flag_due = ctx.clock.due();
+    ctx.update_hot();
+}
+
+bool take_flag(Context& ctx) {
+    OcclusionSlot& slot = ctx.slot;
+    close_segment(ctx);
+    if (slot.app_query != 0) {
+        // NV_occlusion_query 6.1.13: with the result the pixel counter is reset, so the program's query starts anew.
+        const OwnCalls own(ctx);
+        ctx.real->glEndQuery(slot.app_target);
+        slot.flag = read_result(ctx, slot.app_query) != 0 || slot.flag;
+        ctx.real->glBeginQuery(slot.app_target, slot.app_query);
+    }
+    if (slot.ended_app_query != 0) {
+        slot.flag = read_result(ctx, slot.ended_app_query) != 0 || slot.flag;
+        slot.ended_app_query = 0;
+    }
+    fold_segments(ctx);
+    return std::exchange(slot.flag, false);
+}
+
+void reset_flag(Context& ctx) {
+    OcclusionSlot& slot = ctx.slot;
+    slot.spare.insert(slot.spare.end(), slot.unread_segments.begin(), slot.unread_segments.end());
+    slot.unread_segments.clear();
+    slot.ended_app_query = 0;
+    slot.flag = false;
+}
+
+void yield_name(Context& ctx, GLuint name) {
+    OcclusionSlot& slot = ctx.slot;
+    if (!slot.is_hidden(name)) return;
+    if (name == slot.open_segment) close_segment(ctx);
+    fold_segments(ctx);
+    std::erase(slot.spare, name);
+    const OwnCalls own(ctx);
+    ctx.real->glDeleteQueries(1, &name);
+}
+
+}  // namespace glext_emu

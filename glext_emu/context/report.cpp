@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "context/report.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <pthread.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstring>
+
+#include "context/context.h"
+#include "context/settings.h"
+
+namespace glext_emu {
+namespace {
+
+constexpr char kHead[] = "{\"glext_emu_report\":1,\"records\":[";
+constexpr char kTail[] = "\n]}\n";
+constexpr long kHeadLength = sizeof kHead - 1;
+constexpr long kTailLength = sizeof kTail - 1;
+
+// A program that is killed loses at most this much of its report.
+constexpr std::chrono::milliseconds kLongestDelay{100};
+constexpr std::size_t kLargestBuffer = 32 * 1024;
+
+std::string json_string(const char* text) {
+    std::string out = "\"";
+    for (const char* c = text == nullptr ? "" : text; *c != '\0'; ++c) {
+        const auto byte = static_cast<unsigned char>(*c);
+        if (byte == '"' || byte == '\\') {
+            out += '\\';
+            out += *c;
+        } else if (byte < 0x20 || byte >= 0x7f) {
+            char escape[8];
+            std::snprintf(escape, sizeof escape, "\\u%04x", byte);
+            out += escape;
+        } else {
+            out += *c;
+        }
+    }
+    return out + '"';
+}
+
+bool write_all(int file, const std::string& text, off_t at) {
+    std::size_t done = 0;
+    while (done < text.size()) {
+        const ssize_t n = pwrite(file, text.data() + done, text.size() - done, at + static_cast<off_t>(done));
+        if (n < 0 && errno == EINTR) continue;
+        if (n <= 0) return false;
+        done += static_cast<std::size_t>(n);
+    }
+    return true;
+}
+
+// <records> starts with a newline and has commas between its records. Nothing is written over a file that is not a
+// report.
+const char* append_to_file(int file, const std::string& records) {
+    const off_t size = lseek(file, 0, SEEK_END);
+    if (size == 0) return write_all(file, kHead + records + kTail, 0) ? nullptr : "cannot be written";
+    char tail[kTailLength];
+    if (size < kHeadLength + kTailLength || pread(file, tail, kTailLength, size - kTailLength) != kTailLength ||
+        std::memcmp(tail, kTail, kTailLength) != 0) {
+        return "is not a report, so nothing is written to it";
+    }
+    const bool is_first = size == kHeadLength + kTailLength;
+    const std::string text = (is_first ? "" : ",") + records + kTail;
+    return write_all(file, text, size - kTailLength) ? nullptr : "cannot be written";
+}
+
+}  // namespace
+
+Report& Report::instance() {
+    static Report* const report = made_ = new Report;
+    return *report;
+}
+
+std::atomic<Report*> Report::made_{nullptr};
+
+Report::Report() : path_(settings().report_path), is_wanted_(!path_.empty()) {
+    if (!is_wanted()) return;
+    // The child writes what happens in the child.
+    pthread_atfork([] { instance().mutex_.lock(); }, [] { instance().mutex_.unlock(); },
+                   [] {
+                       instance().buffer_.clear();
+                       instance().mutex_.unlock();
+                   });
+}
+
+void Report::begin_context(const Context& ctx) {
+    if (!is_wanted()) return;
+    const auto text = [&](GLenum name) { return reinterpret_cast<const char*>(ctx.real->glGetString(name)); };
+    append("{\"kind\":\"context\",\"pid\":" + std::to_string(getpid()) +
+           ",\"program\":" + json_string(program_invocation_short_name) +
+           ",\"context\":" + std::to_string(ctx.number) + ",\"platform\":" + json_string(ctx.platform) +
+           ",\"device\":" + json_string(settings().device.name.c_str()) +
+           ",\"clock\":" + json_string(settings().latency.text().c_str()) +
+           ",\"renderer\":" + json_string(text(GL_RENDERER)) +
+           ",\"version\":" + json_string(ctx.advertised->version_string.c_str()) + "}");
+}
+
+void Report::add_frame(Context& ctx) {
+    const FrameCounts& frame = ctx.frame;
+    char stall_ms[32];
+    std::snprintf(stall_ms, sizeof stall_ms, "%.6f", static_cast<double>(frame.stall_ns) * 1e-6);
+    append("{\"kind\":\"frame\",\"pid\":" + std::to_string(getpid()) +
+           ",\"context\":" + std::to_string(ctx.number) + ",\"frame\":" + std::to_string(frame.index) +
+           ",\"queries_begun\":" + std::to_string(frame.queries_begun) + ",\"polls\":" + std::to_string(frame.polls) +
+           ",\"waits\":" + std::to_string(frame.waits) + ",\"stall_ms\":" + stall_ms +
+           ",\"results\":" + std::to_string(frame.results) + ",\"draws\":" + std::to_string(frame.draws) +
+           ",\"triangles\":" + (frame.triangles_are_known ? std::to_string(frame.triangles) : "null") + "}");
+}
+
+void Report::end_frame(Context& ctx) {
+    if (!is_wanted()) return;
+    add_frame(ctx);
+    ctx.frame.next_frame();
+}
+
+void Report::end_context(Context& ctx) {
+    if (!is_wanted() || !ctx.is_initialised) return;
+    if (!ctx.frame.is_empty()) end_frame(ctx);
+    flush();
+}
+
+void Report::append(const std::string& record) {
+    const std::lock_guard lock(mutex_);
+    buffer_ += buffer_.empty() ? "\n" : ",\n";
+    buffer_ += record;
+    const auto now = std::chrono::steady_clock::now();
+    if (buffer_.size() > kLargestBuffer || now - last_flush_ > kLongestDelay) {
+        last_flush_ = now;
+        flush_locked();
+    }
+}
+
+void Report::flush() {
+    const std::lock_guard lock(mutex_);
+    flush_locked();
+}
+
+void Report::flush_locked() {
+    if (buffer_.empty()) return;
+    const char* problem = "cannot be opened";
+    const int file = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file >= 0) {
+        if (flock(file, LOCK_EX) == 0) problem = append_to_file(file, buffer_);
+        close(file);
+    }
+    buffer_.clear();
+    if (problem == nullptr) return;
+    std::fprintf(stderr, "glext_emu: the report %s %s.\n", path_.c_str(), problem);
+    is_wanted_ = false;
+}
+
+void Report::flush_at_exit() {
+    Report* const report = made_;
+    if (report == nullptr) return;
+    if (current.context != nullptr) report->end_context(*current.context);
+    report->flush();
+}
+
+namespace {
+
+// The last frame of a program that leaves its contexts to the end.
+__attribute__((destructor)) void at_exit() { Report::flush_at_exit(); }
+
+}  // namespace
+
+}  // namespace glext_emu

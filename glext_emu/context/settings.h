@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What the layer was asked to do: the environment variable GLEXT_EMU, a comma list of key=value.
+//
+//   device=NAME_OR_PATH   a built-in device or a .toml file           default native
+//   clock=CLOCK           none, wall=US, calls=N, frames=N            default none
+//   report=FILE           JSON report of queries and draws            default none
+//   doctor=FILE           the launcher's `doctor` listens here        default none
+//
+// GLEXT_EMU=0 switches everything off. This is the only place that reads the environment.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "context/device.h"
+#include "occlusion_unit/clock.h"
+
+namespace glext_emu {
+
+struct Settings {
+    bool off = false;
+    Device device;
+    occlusion_unit::Latency latency;
+    std::string report_path;
+    std::string doctor_path;
+
+    // True where the layer has nothing to do and leaves the driver alone.
+    bool steps_aside() const;
+};
+
+struct SettingsOrError {
+    Settings settings;
+    std::string error;  // one sentence, or empty
+};
+
+// <text> is the value of GLEXT_EMU, null where it is unset.
+SettingsOrError parse_settings(const char* text);
+
+// The settings of this process, read once. A wrong setting is told in one sentence on stderr and ends the program with
+// status 2 before it has a context: it must not believe in results of a machine that is not there.
+const Settings& settings();
+
+}  // namespace glext_emu

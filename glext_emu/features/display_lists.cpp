@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+// Display lists. A list that holds emulated operations becomes a recipe: the driver's lists with our operations between
+// them. Where emulated operations can occur, a nested CallList counts as one, since the inner list may hold some by the
+// time it is called.
+#include "features/features.h"
+#include "features/list_recorder.h"
+
+#include <cstring>
+#include <utility>
+
+namespace glext_emu::features {
+namespace {
+
+// GL 4.6 compatibility, 21.4: calls nested deeper than MAX_LIST_NESTING (at least 64) are ignored.
+constexpr int kDeepestNesting = 64;
+thread_local constinit int nesting __attribute__((tls_model("initial-exec"))) = 0;
+
+bool splits_lists(const Context& ctx) { return ctx.emulates_test || ctx.clock.delays(); }
+
+GLuint make_hidden_list(Context& ctx) {
+    const OwnCalls own(ctx);
+    const GLuint list = ctx.real->glGenLists(1);
+    const std::lock_guard lock(ctx.share_group->mutex);
+    ctx.share_group->hidden_lists.insert(list);
+    return list;
+}
+
+bool is_hidden(Context& ctx, GLuint list) {
+    const std::lock_guard lock(ctx.share_group->mutex);
+    return ctx.share_group->hidden_lists.contains(list);
+}
+
+std::shared_ptr<const ListRecipe> recipe_of(Context& ctx, GLuint list) {
+    const std::lock_guard lock(ctx.share_group->mutex);
+    const auto found = ctx.share_group->recipes.find(list);
+    return found == ctx.share_group->recipes.end() ? nullptr : found->second;
+}
+
+// Forgets the recipe of <list> and frees the driver's lists that it was made of.
+void forget_recipe(Context& ctx, GLuint list) {
+    const auto recipe = recipe_of(ctx, list);
+    if (recipe == nullptr) return;
+    for (const ListStep& step : *recipe) {
+        if (step.real_list == 0 || step.real_list == list) continue;
+        ctx.real->glDeleteLists(step.real_list, 1);
+        const std::lock_guard lock(ctx.share_group->mutex);
+        ctx.share_group->hidden_lists.erase(step.real_list);
+    }
+    const std::lock_guard lock(ctx.share_group->mutex);
+    ctx.share_group->recipes.erase(list);
+}
+
+void close_step(Context& ctx) {
+    ctx.real->glEndList();
+    ctx.recording.steps.push_back({ctx.recording.segment, {}});
+}
+
+void open_step(Context& ctx) {
+    ctx.recording.segment = make_hidden_list(ctx);
+    ctx.real->glNewList(ctx.recording.segment, ctx.recording.mode);
+}
+
+// Draws that are compiled and executed cannot open the test's segment, so it stands open before them.
+void open_segment_ahead(Context& ctx) {
+    if (ctx.recording.mode == GL_COMPILE_AND_EXECUTE && ctx.slot.wants_segment()) open_segment(ctx);
+}
+
+void execute(Context& ctx, GLuint list) {
+    const auto recipe = recipe_of(ctx, list);
+    if (recipe == nullptr) {
+        before_draw(ctx, unknown());
+        return ctx.real->glCallList(list);
+    }
+    if (nesting == kDeepestNesting) return;
+    ++nesting;
+    for (const ListStep& step : *recipe) {
+        if (step.real_list == 0) {
+            step.operation.run(ctx, step.operation);
+        } else {
+            before_draw(ctx, unknown());
+            ctx.real->glCallList(step.real_list);
+        }
+    }
+    --nesting;
+}
+
+// GL 4.6 compatibility, 21.4, table 21.3: the offset that element <i> of <lists> holds; nothing for an unknown <type>.
+std::size_t element_size(GLenum type) {
+    switch (type) {
+        case GL_BYTE:
+        case GL_UNSIGNED_BYTE:
+            return 1;
+        case GL_SHORT:
+        case GL_UNSIGNED_SHORT:
+        case GL_2_BYTES:
+            return 2;
+        case GL_3_BYTES:
+            return 3;
+        case GL_INT:
+        case GL_UNSIGNED_INT:
+        case GL_FLOAT:
+        case GL_4_BYTES:
+            return 4;
+        default:
+            return 0;
+    }
+}
+
+template <class T>
+T element(const std::byte* at) {
+    T value;
+    std::memcpy(&value, at, sizeof value);
+    return value;
+}
+
+GLuint offset_at(const std::byte* at, GLenum type) {
+    const auto byte = [at](int i) { return std::to_integer<GLuint>(at[i]); };
+    switch (type) {
+        case GL_BYTE:
+            return static_cast<GLuint>(element<GLbyte>(at));
+        case GL_UNSIGNED_BYTE:
+            return byte(0);
+        case GL_SHORT:
+            return static_cast<GLuint>(element<GLshort>(at));
+        case GL_UNSIGNED_SHORT:
+            return element<GLushort>(at);
+        case GL_FLOAT:
+            return static_cast<GLuint>(static_cast<GLint64>(element<GLfloat>(at)));
+        case GL_2_BYTES:
+            return byte(0) << 8 | byte(1);
+        case GL_3_BYTES:
+            return byte(0) << 16 | byte(1) << 8 | byte(2);
+        case GL_4_BYTES:
+            return byte(0) << 24 | byte(1) << 16 | byte(2) << 8 | byte(3);
+        default:
+            return element<GLuint>(at);
+    }
+}
+
+}  // namespace
+
+void record(Context& ctx, ListOperation operation) {
+    close_step(ctx);
+    if (ctx.recording.mode == GL_COMPILE_AND_EXECUTE) {
+        ctx.recording.is_suspended = true;
+        operation.run(ctx, operation);
+        open_segment_ahead(ctx);
+        ctx.recording.is_suspended = false;
+    }
+    ctx.recording.steps.push_back({0, std::move(operation)});
+    open_step(ctx);
+}
+
+ListPause::ListPause(Context& ctx) : ctx_(ctx), is_pausing_(ctx.recording.is_open()) {
+    if (!is_pausing_) return;
+    close_step(ctx_);
+    ctx_.recording.is_suspended = true;
+}
+
+ListPause::~ListPause() {
+    if (!is_pausing_) return;
+    ctx_.recording.is_suspended = false;
+    open_step(ctx_);
+}
+
+void new_list(Context& ctx, GLuint list, GLenum mode) {
+    const bool is_accepted = list != 0 && (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE) &&
+                             ctx.recording.name == 0 && !ctx.inside_begin_end;
+    if (!is_accepted) return ctx.real->glNewList(list, mode);
+
+    ctx.recording = {.name = list, .mode = mode, .segment = list, .steps = {}};
+    // A name of the program's that the layer uses already is compiled elsewhere.
+    if (is_hidden(ctx, list)) ctx.recording.segment = make_hidden_list(ctx);
+    open_segment_ahead(ctx);
+    ctx.real->glNewList(ctx.recording.segment, mode);
+}
+
+void end_list(Context& ctx) {
+    if (!ctx.recording.is_open() || ctx.inside_begin_end) return ctx.real->glEndList();
+
+    ListRecording done = std::exchange(ctx.recording, {});
+    ctx.real->glEndList();
+    forget_recipe(ctx, done.name);
+    if (done.steps.empty() && done.segment == done.name) return;
+    done.steps.push_back({done.segment, {}});
+    const std::lock_guard lock(ctx.share_group->mutex);
+    ctx.share_group->recipes[done.name] = std::make_shared<const ListRecipe>(std::move(done.steps));
+}
+
+void call_list(Context& ctx, GLuint list) {
+    if (ctx.recording.is_open() && splits_lists(ctx)) {
+        return record(ctx, {[](Context& c, const ListOperation& op) { call_list(c, op.first); }, list});
+    }
+    execute(ctx, list);
+}
+
+void call_lists(Context& ctx, GLsizei n, GLenum type, const void* lists) {
+    const std::size_t size = element_size(type);
+    if (n <= 0 || size == 0 || lists == nullptr || !splits_lists(ctx)) {
+        before_draw(ctx, unknown());
+        return ctx.real->glCallLists(n, type, lists);
+    }
+    const auto* const bytes = static_cast<const std::byte*>(lists);
+    if (ctx.recording.is_open()) {
+        ListOperation operation{[](Context& c, const ListOperation& op) {
+                                    call_lists(c, static_cast<GLsizei>(op.first), op.second, op.bytes.data());
+                                },
+                                static_cast<GLuint>(n), type};
+        operation.bytes.assign(bytes, bytes + static_cast<std::size_t>(n) * size);
+        return record(ctx, std::move(operation));
+    }
+
+    GLint base = 0;
+    if (!ctx.inside_begin_end) ctx.real->glGetIntegerv(GL_LIST_BASE, &base);
+    for (GLsizei i = 0; i < n; ++i) {
+        execute(ctx, static_cast<GLuint>(base) + offset_at(bytes + static_cast<std::size_t>(i) * size, type));
+    }
+}
+
+void delete_lists(Context& ctx, GLuint list, GLsizei range) {
+    const GLuint last = list + static_cast<GLuint>(range) - 1;
+    if (range <= 0 || last < list || ctx.inside_begin_end) return ctx.real->glDeleteLists(list, range);
+
+    std::vector<GLuint> recipes;
+    std::vector<GLuint> kept;
+    {
+        const std::lock_guard lock(ctx.share_group->mutex);
+        const ShareGroup& group = *ctx.share_group;
+        for (auto r = group.recipes.lower_bound(list); r != group.recipes.end() && r->first <= last; ++r) {
+            recipes.push_back(r->first);
+        }
+        for (auto h = group.hidden_lists.lower_bound(list); h != group.hidden_lists.end() && *h <= last; ++h) {
+            kept.push_back(*h);
+        }
+    }
+    // What lies between the layer's own lists.
+    for (const GLuint hidden : kept) {
+        if (hidden > list) ctx.real->glDeleteLists(list, static_cast<GLsizei>(hidden - list));
+        list = hidden + 1;
+    }
+    if (list <= last) ctx.real->glDeleteLists(list, static_cast<GLsizei>(last - list + 1));
+    for (const GLuint name : recipes) forget_recipe(ctx, name);
+}
+
+
+GLboolean is_list(Context& ctx, GLuint list) {
+    if (ctx.inside_begin_end) return ctx.real->glIsList(list);
+    if (recipe_of(ctx, list) != nullptr) return GL_TRUE;
+    return is_hidden(ctx, list) ? GL_FALSE : ctx.real->glIsList(list);
+}
+
+}  // namespace glext_emu::features

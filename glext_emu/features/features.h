@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The slow paths that the generated wrappers call, a chapter of the specification each. Every one of them refuses what
+// the texts refuse, remembers, and forwards to the driver, in that order.
+#pragma once
+
+#include "context/context.h"
+#include "features/triangles.h"
+
+namespace glext_emu::features {
+
+// draw_scope.cpp: a draw is about to be executed.
+void before_draw(Context& ctx, Triangles triangles);
+void begin(Context& ctx, GLenum mode);
+void end(Context& ctx);
+
+// occlusion_test.cpp: GL_HP_occlusion_test.
+void enable(Context& ctx, GLenum cap);
+void disable(Context& ctx, GLenum cap);
+GLboolean is_enabled(Context& ctx, GLenum cap);
+void push_attrib(Context& ctx, GLbitfield mask);
+void pop_attrib(Context& ctx);
+// Reads the flag as a Get does: it waits for the clock, and the flag is FALSE afterwards.
+bool read_test_result(Context& ctx);
+
+// query_objects.cpp
+void gen_queries(Context& ctx, GLsizei n, GLuint* ids);
+void create_queries(Context& ctx, GLenum target, GLsizei n, GLuint* ids);
+void delete_queries(Context& ctx, GLsizei n, const GLuint* ids);
+GLboolean is_query(Context& ctx, GLuint id);
+void begin_query(Context& ctx, GLenum target, GLuint id);
+void begin_query_indexed(Context& ctx, GLenum target, GLuint index, GLuint id);
+void end_query(Context& ctx, GLenum target);
+void end_query_indexed(Context& ctx, GLenum target, GLuint index);
+void query_counter(Context& ctx, GLuint id, GLenum target);
+void get_queryiv(Context& ctx, GLenum target, GLenum pname, GLint* params);
+void get_query_indexediv(Context& ctx, GLenum target, GLuint index, GLenum pname, GLint* params);
+
+// query_results.cpp
+void get_query_objectiv(Context& ctx, GLuint id, GLenum pname, GLint* params);
+void get_query_objectuiv(Context& ctx, GLuint id, GLenum pname, GLuint* params);
+void get_query_objecti64v(Context& ctx, GLuint id, GLenum pname, GLint64* params);
+void get_query_objectui64v(Context& ctx, GLuint id, GLenum pname, GLuint64* params);
+void get_query_buffer_objectiv(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset);
+void get_query_buffer_objectuiv(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset);
+void get_query_buffer_objecti64v(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset);
+void get_query_buffer_objectui64v(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset);
+void begin_conditional_render(Context& ctx, GLuint id, GLenum mode);
+void begin_conditional_render_nvx(Context& ctx, GLuint id);
+void end_conditional_render(Context& ctx);
+
+// display_lists.cpp
+void new_list(Context& ctx, GLuint list, GLenum mode);
+void end_list(Context& ctx);
+void call_list(Context& ctx, GLuint list);
+void call_lists(Context& ctx, GLsizei n, GLenum type, const void* lists);
+void delete_lists(Context& ctx, GLuint list, GLsizei range);
+GLboolean is_list(Context& ctx, GLuint list);
+
+// state_queries.cpp
+void get_booleanv(Context& ctx, GLenum pname, GLboolean* params);
+void get_integerv(Context& ctx, GLenum pname, GLint* params);
+void get_integer64v(Context& ctx, GLenum pname, GLint64* params);
+void get_floatv(Context& ctx, GLenum pname, GLfloat* params);
+void get_doublev(Context& ctx, GLenum pname, GLdouble* params);
+const GLubyte* get_string(Context& ctx, GLenum name);
+const GLubyte* get_stringi(Context& ctx, GLenum name, GLuint index);
+GLenum get_error(Context& ctx);
+
+}  // namespace glext_emu::features

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// GL_HP_occlusion_test: one flag per context that any passing fragment sets and every Get clears. The text is in parts
+// silent; where it is, NV_occlusion_query 4.1.6A and 6.1.13 speak.
+#include "features/features.h"
+#include "features/list_recorder.h"
+#include "features/stall.h"
+
+namespace glext_emu::features {
+namespace {
+
+bool is_test(const Context& ctx, GLenum cap) { return ctx.emulates_test && cap == GL_OCCLUSION_TEST_HP; }
+
+void set_test(Context& ctx, bool is_enabled) {
+    ctx.slot.test_enabled = is_enabled;
+    if (!is_enabled) close_segment(ctx);
+    ctx.update_hot();
+}
+
+}  // namespace
+
+void enable(Context& ctx, GLenum cap) {
+    // GL 4.6 compatibility, 10.7.5: between Begin and End the driver raises INVALID_OPERATION whatever <cap> is.
+    if (!is_test(ctx, cap) || ctx.inside_begin_end) return ctx.real->glEnable(cap);
+    if (ctx.recording.is_open()) {
+        return record(ctx, {[](Context& c, const ListOperation& op) { enable(c, op.first); }, cap});
+    }
+
+    set_test(ctx, true);
+}
+
+void disable(Context& ctx, GLenum cap) {
+    if (!is_test(ctx, cap) || ctx.inside_begin_end) return ctx.real->glDisable(cap);
+    if (ctx.recording.is_open()) {
+        return record(ctx, {[](Context& c, const ListOperation& op) { disable(c, op.first); }, cap});
+    }
+
+    set_test(ctx, false);
+}
+
+GLboolean is_enabled(Context& ctx, GLenum cap) {
+    if (!is_test(ctx, cap) || ctx.inside_begin_end) return ctx.real->glIsEnabled(cap);
+    return ctx.slot.test_enabled ? GL_TRUE : GL_FALSE;
+}
+
+// NV_occlusion_query, New State: OCCLUSION_TEST_HP belongs to the attribute group "enable", the result to none.
+void push_attrib(Context& ctx, GLbitfield mask) {
+    if (ctx.inside_begin_end || !ctx.emulates_test) return ctx.real->glPushAttrib(mask);
+    if (ctx.recording.is_open()) {
+        return record(ctx, {[](Context& c, const ListOperation& op) { push_attrib(c, op.first); }, mask});
+    }
+
+    // A push onto the full stack fails in the driver, and has to fail here.
+    if (ctx.attrib_stack.size() < static_cast<std::size_t>(ctx.kind.attrib_stack_depth)) {
+        ctx.attrib_stack.push_back({mask, ctx.slot.test_enabled});
+    }
+    ctx.real->glPushAttrib(mask);
+}
+
+void pop_attrib(Context& ctx) {
+    if (ctx.inside_begin_end || !ctx.emulates_test) return ctx.real->glPopAttrib();
+    if (ctx.recording.is_open()) {
+        return record(ctx, {[](Context& c, const ListOperation&) { pop_attrib(c); }});
+    }
+
+    if (!ctx.attrib_stack.empty()) {
+        const SavedEnable saved = ctx.attrib_stack.back();
+        ctx.attrib_stack.pop_back();
+        if ((saved.mask & GL_ENABLE_BIT) != 0 && saved.test_enabled != ctx.slot.test_enabled) {
+            set_test(ctx, saved.test_enabled);
+        }
+    }
+    ctx.real->glPopAttrib();
+}
+
+bool read_test_result(Context& ctx) {
+    // A Get is executed at once while a list is compiled, and ending a query would be compiled into it.
+    const ListPause pause(ctx);
+    const StallScope stall(ctx);
+    const bool was_counting = ctx.slot.open_segment != 0;
+    const bool result = take_flag(ctx);
+    ctx.clock.wait_until(ctx.slot.flag_due);
+    ctx.frame.results++;
+    // While a list is compiled and executed, its draws cannot open the segment themselves.
+    if (was_counting && ctx.recording.name != 0) open_segment(ctx);
+    return result;
+}
+
+}  // namespace glext_emu::features

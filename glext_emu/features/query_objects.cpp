@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// Query objects: names, begin, end. The program's objects are the driver's own; what is remembered of them is when they
+// ended, for the clock and for the HP test's flag.
+#include "context/refusals.h"
+#include "context/settings.h"
+#include "features/features.h"
+#include "features/list_recorder.h"
+
+namespace glext_emu::features {
+namespace {
+
+// Targets that the driver's context does not know raise their error there, and are asked for nothing else.
+bool driver_knows(const Context& ctx, GLenum target) {
+    if (target == GL_SAMPLES_PASSED) return !ctx.kind.is_es;
+    if (ctx.kind.is_es) {
+        return ctx.kind.version >= GlVersion{3, 0} || ctx.advertised->has("GL_EXT_occlusion_query_boolean");
+    }
+    return ctx.kind.has_any_samples;
+}
+
+GLuint active_query(Context& ctx, GLenum target) {
+    GLint name = 0;
+    ctx.real->glGetQueryiv(target, GL_CURRENT_QUERY, &name);
+    return static_cast<GLuint>(name);
+}
+
+}  // namespace
+
+void gen_queries(Context& ctx, GLsizei n, GLuint* ids) { ctx.real->glGenQueries(n, ids); }
+
+void create_queries(Context& ctx, GLenum target, GLsizei n, GLuint* ids) {
+    if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
+    ctx.real->glCreateQueries(target, n, ids);
+}
+
+void delete_queries(Context& ctx, GLsizei n, const GLuint* ids) {
+    if (n < 0 || ids == nullptr || ctx.inside_begin_end) return ctx.real->glDeleteQueries(n, ids);
+
+    std::vector<GLuint> names;
+    for (GLsizei i = 0; i < n; ++i) {
+        const GLuint name = ids[i];
+        if (ctx.slot.is_hidden(name)) continue;
+        names.push_back(name);
+        // What counts towards the HP flag is read before its object goes.
+        const bool counts = name != 0 && (name == ctx.slot.app_query || name == ctx.slot.ended_app_query);
+        if (counts && ctx.emulates_test) {
+            const ListPause pause(ctx);
+            const bool was_active = name == ctx.slot.app_query;
+            if (was_active) end_query(ctx, ctx.slot.app_target);
+            ctx.slot.flag = read_result(ctx, name) != 0 || ctx.slot.flag;
+            ctx.slot.ended_app_query = 0;
+        }
+        if (name == ctx.slot.app_query) ctx.slot.app_query = 0;
+        ctx.slot.records.erase(name);
+    }
+    ctx.real->glDeleteQueries(static_cast<GLsizei>(names.size()), names.data());
+    ctx.update_hot();
+}
+
+GLboolean is_query(Context& ctx, GLuint id) {
+    return ctx.slot.is_hidden(id) && !ctx.inside_begin_end ? GL_FALSE : ctx.real->glIsQuery(id);
+}
+
+void begin_query(Context& ctx, GLenum target, GLuint id) {
+    if (ctx.inside_begin_end) return ctx.real->glBeginQuery(target, id);
+    if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
+    if (ctx.recording.is_open() && is_occlusion_target(target) && (ctx.emulates_test || ctx.clock.delays())) {
+        return record(ctx, {[](Context& c, const ListOperation& op) { begin_query(c, op.first, op.second); },
+                            target, id});
+    }
+    if (ctx.recording.is_open()) return ctx.real->glBeginQuery(target, id);
+    yield_name(ctx, id);
+    // The driver refuses a second query in the slot, and targets of other slots are its own affair.
+    if (!is_occlusion_target(target) || !driver_knows(ctx, target) || ctx.slot.app_query != 0) {
+        return ctx.real->glBeginQuery(target, id);
+    }
+
+    close_segment(ctx);
+    ctx.real->glBeginQuery(target, id);
+    if (id == 0 || active_query(ctx, target) != id) return ctx.update_hot();
+    // ARB_occlusion_query, issues: BeginQuery "resets the sample count (and therefore the occlusion test result)".
+    reset_flag(ctx);
+    ctx.slot.app_query = id;
+    ctx.slot.app_target = target;
+    ctx.slot.records[id] = {.target = target};
+    ctx.frame.queries_begun++;
+    ctx.update_hot();
+}
+
+void begin_query_indexed(Context& ctx, GLenum target, GLuint index, GLuint id) {
+    // GL 4.6, 4.2: BeginQueryIndexed with index zero is BeginQuery.
+    if (index == 0 && is_occlusion_target(target)) return begin_query(ctx, target, id);
+    if (!ctx.recording.is_open() && !ctx.inside_begin_end) yield_name(ctx, id);
+    ctx.real->glBeginQueryIndexed(target, index, id);
+}
+
+void end_query(Context& ctx, GLenum target) {
+    if (ctx.inside_begin_end || !is_occlusion_target(target)) return ctx.real->glEndQuery(target);
+    if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
+    if (ctx.recording.is_open() && (ctx.emulates_test || ctx.clock.delays())) {
+        return record(ctx, {[](Context& c, const ListOperation& op) { end_query(c, op.first); }, target});
+    }
+    // With none of the program's active, the driver would end the layer's own.
+    if (ctx.slot.open_segment != 0) return ctx.raise(GL_INVALID_OPERATION);
+
+    ctx.real->glEndQuery(target);
+    if (ctx.recording.is_open() || ctx.slot.app_query == 0 || target != ctx.slot.app_target) return;
+    QueryRecord& record = ctx.slot.records[ctx.slot.app_query];
+    record.has_ended = true;
+    record.due = ctx.clock.due();
+    if (ctx.emulates_test) {
+        ctx.slot.ended_app_query = ctx.slot.app_query;
+        ctx.slot.flag_due = record.due;
+    }
+    ctx.slot.app_query = 0;
+    ctx.update_hot();
+}
+
+void end_query_indexed(Context& ctx, GLenum target, GLuint index) {
+    if (index == 0 && is_occlusion_target(target)) return end_query(ctx, target);
+    ctx.real->glEndQueryIndexed(target, index);
+}
+
+void query_counter(Context& ctx, GLuint id, GLenum target) {
+    if (!ctx.recording.is_open() && !ctx.inside_begin_end) yield_name(ctx, id);
+    ctx.real->glQueryCounter(id, target);
+}
+
+void get_queryiv(Context& ctx, GLenum target, GLenum pname, GLint* params) {
+    if (ctx.inside_begin_end) return ctx.real->glGetQueryiv(target, pname, params);
+    if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
+    if (!is_occlusion_target(target) || params == nullptr) return ctx.real->glGetQueryiv(target, pname, params);
+
+    const std::optional<int> bits = settings().device.counter_bits;
+    if (pname == GL_QUERY_COUNTER_BITS && target == GL_SAMPLES_PASSED && bits && driver_knows(ctx, target)) {
+        *params = *bits;
+        return;
+    }
+    ctx.real->glGetQueryiv(target, pname, params);
+    if (pname == GL_CURRENT_QUERY && ctx.slot.open_segment != 0) *params = 0;
+}
+
+void get_query_indexediv(Context& ctx, GLenum target, GLuint index, GLenum pname, GLint* params) {
+    if (index == 0 && is_occlusion_target(target)) return get_queryiv(ctx, target, pname, params);
+    ctx.real->glGetQueryIndexediv(target, index, pname, params);
+}
+
+}  // namespace glext_emu::features

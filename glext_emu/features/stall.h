@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Time that the program spends inside a blocking read.
+#pragma once
+
+#include <chrono>
+
+#include "context/context.h"
+
+namespace glext_emu::features {
+
+class StallScope {
+  public:
+    explicit StallScope(Context& ctx) : ctx_(ctx), start_(std::chrono::steady_clock::now()) {}
+    ~StallScope() {
+        const std::chrono::nanoseconds spent = std::chrono::steady_clock::now() - start_;
+        ctx_.frame.waits++;
+        ctx_.frame.stall_ns += static_cast<std::uint64_t>(spent.count());
+    }
+    StallScope(const StallScope&) = delete;
+    StallScope& operator=(const StallScope&) = delete;
+
+  private:
+    Context& ctx_;
+    std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace glext_emu::features

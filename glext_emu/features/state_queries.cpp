@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// State queries: versions, extensions, the HP test's two names, and the error flag. One answer serves all five Gets.
+#include "features/features.h"
+
+#include <type_traits>
+#include <utility>
+
+namespace glext_emu::features {
+namespace {
+
+struct Answer {
+    enum { kForward, kRefuse, kValue } kind = kForward;
+    GLint value = 0;
+};
+
+Answer answer(Context& ctx, GLenum pname) {
+    if (ctx.emulates_test && pname == GL_OCCLUSION_TEST_HP) return {Answer::kValue, ctx.slot.test_enabled};
+    if (ctx.emulates_test && pname == GL_OCCLUSION_TEST_RESULT_HP) return {Answer::kValue, read_test_result(ctx)};
+
+    const Advertised& advertised = *ctx.advertised;
+    const bool is_before_3_0 = advertised.version_differs && advertised.version < GlVersion{3, 0};
+    switch (pname) {
+        case GL_MAJOR_VERSION:
+        case GL_MINOR_VERSION:
+            // These names, and the next three, came with OpenGL 3.0 and 3.2.
+            if (is_before_3_0) return {Answer::kRefuse};
+            if (!advertised.version_differs) return {};
+            return {Answer::kValue,
+                    pname == GL_MAJOR_VERSION ? advertised.version.major : advertised.version.minor};
+        case GL_NUM_EXTENSIONS:
+            if (is_before_3_0) return {Answer::kRefuse};
+            if (!advertised.extensions_differ) return {};
+            return {Answer::kValue, static_cast<GLint>(advertised.extensions.size())};
+        case GL_CONTEXT_FLAGS:
+            return is_before_3_0 ? Answer{Answer::kRefuse} : Answer{};
+        case GL_CONTEXT_PROFILE_MASK:
+            return advertised.version_differs && advertised.version < GlVersion{3, 2} ? Answer{Answer::kRefuse}
+                                                                                      : Answer{};
+        default:
+            return {};
+    }
+}
+
+template <class T>
+void get(Context& ctx, GLenum pname, T* params, void (*real)(GLenum, T*)) {
+    // GL 4.6 compatibility, 10.7.5: between Begin and End a Get is in error, which the driver raises.
+    if (ctx.inside_begin_end || params == nullptr) return real(pname, params);
+    const Answer found = answer(ctx, pname);
+    if (found.kind == Answer::kForward) return real(pname, params);
+    if (found.kind == Answer::kRefuse) return ctx.raise(GL_INVALID_ENUM);
+    if constexpr (std::is_same_v<T, GLboolean>) {
+        *params = found.value != 0 ? GL_TRUE : GL_FALSE;
+    } else {
+        *params = static_cast<T>(found.value);
+    }
+}
+
+const GLubyte* as_gl_string(const std::string& text) { return reinterpret_cast<const GLubyte*>(text.c_str()); }
+
+}  // namespace
+
+void get_booleanv(Context& ctx, GLenum pname, GLboolean* params) {
+    get(ctx, pname, params, ctx.real->glGetBooleanv);
+}
+
+void get_integerv(Context& ctx, GLenum pname, GLint* params) { get(ctx, pname, params, ctx.real->glGetIntegerv); }
+
+void get_integer64v(Context& ctx, GLenum pname, GLint64* params) {
+    get(ctx, pname, params, ctx.real->glGetInteger64v);
+}
+
+void get_floatv(Context& ctx, GLenum pname, GLfloat* params) { get(ctx, pname, params, ctx.real->glGetFloatv); }
+
+void get_doublev(Context& ctx, GLenum pname, GLdouble* params) { get(ctx, pname, params, ctx.real->glGetDoublev); }
+
+const GLubyte* get_string(Context& ctx, GLenum name) {
+    if (ctx.inside_begin_end) return ctx.real->glGetString(name);
+    const Advertised& advertised = *ctx.advertised;
+    if (name == GL_VERSION && advertised.version_differs) return as_gl_string(advertised.version_string);
+    if (name == GL_SHADING_LANGUAGE_VERSION && advertised.version_differs) {
+        return as_gl_string(advertised.shading_language);
+    }
+    if (name == GL_EXTENSIONS && advertised.extensions_differ) return as_gl_string(advertised.extension_string);
+    return ctx.real->glGetString(name);
+}
+
+const GLubyte* get_stringi(Context& ctx, GLenum name, GLuint index) {
+    const Advertised& advertised = *ctx.advertised;
+    if (ctx.inside_begin_end || name != GL_EXTENSIONS || !advertised.extensions_differ) {
+        return ctx.real->glGetStringi(name, index);
+    }
+    // GL 4.6, 22.2: an index outside the list.
+    if (index >= advertised.extensions.size()) {
+        ctx.raise(GL_INVALID_VALUE);
+        return nullptr;
+    }
+    return as_gl_string(advertised.extensions[index]);
+}
+
+GLenum get_error(Context& ctx) {
+    if (ctx.inside_begin_end || ctx.pending_error == GL_NO_ERROR) return ctx.real->glGetError();
+    // There is one flag: an error that came after the pending one was never recorded.
+    ctx.real->glGetError();
+    const GLenum code = std::exchange(ctx.pending_error, static_cast<GLenum>(GL_NO_ERROR));
+    ctx.update_hot();
+    return code;
+}
+
+}  // namespace glext_emu::features

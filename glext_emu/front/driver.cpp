@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "front/driver.h"
+
+#include <glvnd/libeglabi.h>
+#include <glvnd/libglxabi.h>
+
+#include <array>
+#include <mutex>
+#include <utility>
+
+#include "context/settings.h"
+#include "entry/entry.h"
+#include "front/doctor.h"
+#include "real_gl/provider.h"
+
+namespace glext_emu {
+
+bool deepbind_was_cleared = false;
+
+namespace {
+
+using EglMain = EGLBoolean (*)(std::uint32_t, const __EGLapiExports*, __EGLvendorInfo*, __EGLapiImports*);
+
+struct Driver {
+    void* real_main = nullptr;
+    bool is_glx = false;
+    GetProcAddress get_proc_address = nullptr;  // the driver's own
+    RealGl real{};
+};
+
+constinit std::array<Driver, kMostDrivers> drivers{};
+constinit std::mutex mutex;
+
+// What GLVND takes for the driver's function <name>. A wrapper stands in only for what the driver has.
+void* get_proc_address(int index, const char* name) {
+    const Driver& driver = drivers[static_cast<std::size_t>(index)];
+    void* const real = driver.get_proc_address(name);
+    if (real == nullptr) return nullptr;
+    if (name[0] == 'g' && name[1] == 'l' && name[2] != 'X') {
+        void* const wrapper = find_hook(name);
+        return wrapper != nullptr ? wrapper : real;
+    }
+    return driver.is_glx ? glx_hook(index, name, real) : egl_hook(index, name, real);
+}
+
+void take_driver(int index, GetProcAddress real) {
+    Driver& driver = drivers[static_cast<std::size_t>(index)];
+    driver.get_proc_address = real;
+    load_real_gl(driver.real, real);
+    if (default_real.glGetError == nullptr) default_real = driver.real;
+    doctor_note(driver.is_glx ? "hooked GLX" : "hooked EGL");
+    if (deepbind_was_cleared) doctor_note("cleared RTLD_DEEPBIND");
+}
+
+// The imports have callbacks without a user pointer, so each driver has functions of its own.
+template <int kIndex>
+struct Trampolines {
+    static void* glx_get_proc_address(const GLubyte* name) {
+        return get_proc_address(kIndex, reinterpret_cast<const char*>(name));
+    }
+    static void* egl_get_proc_address(const char* name) { return get_proc_address(kIndex, name); }
+
+    static Bool glx_main(std::uint32_t version, const __GLXapiExports* exports, __GLXvendorInfo* vendor,
+                         __GLXapiImports* imports) {
+        const auto real = reinterpret_cast<__PFNGLXMAINPROC>(drivers[kIndex].real_main);
+        if (!real(version, exports, vendor, imports)) return False;
+        take_driver(kIndex, reinterpret_cast<GetProcAddress>(imports->getProcAddress));
+        imports->getProcAddress = glx_get_proc_address;
+        // A driver that patches GLVND's stubs would bypass the wrappers.
+        imports->isPatchSupported = nullptr;
+        imports->initiatePatch = nullptr;
+        return True;
+    }
+
+    static EGLBoolean egl_main(std::uint32_t version, const __EGLapiExports* exports, __EGLvendorInfo* vendor,
+                               __EGLapiImports* imports) {
+        const auto real = reinterpret_cast<EglMain>(drivers[kIndex].real_main);
+        if (!real(version, exports, vendor, imports)) return EGL_FALSE;
+        take_driver(kIndex, imports->getProcAddress);
+        imports->getProcAddress = egl_get_proc_address;
+        imports->isPatchSupported = nullptr;
+        imports->initiatePatch = nullptr;
+        return EGL_TRUE;
+    }
+};
+
+template <int... kIndices>
+constexpr auto make_glx_mains(std::integer_sequence<int, kIndices...>) {
+    return std::array{Trampolines<kIndices>::glx_main...};
+}
+template <int... kIndices>
+constexpr auto make_egl_mains(std::integer_sequence<int, kIndices...>) {
+    return std::array{Trampolines<kIndices>::egl_main...};
+}
+constexpr auto kGlxMains = make_glx_mains(std::make_integer_sequence<int, kMostDrivers>{});
+constexpr auto kEglMains = make_egl_mains(std::make_integer_sequence<int, kMostDrivers>{});
+
+// The place of a driver that is known already, or a free one, or -1.
+int place_for(void* real_main, bool is_glx) {
+    const std::lock_guard lock(mutex);
+    for (std::size_t i = 0; i < drivers.size(); ++i) {
+        Driver& driver = drivers[i];
+        if (driver.real_main != nullptr && (driver.real_main != real_main || driver.is_glx != is_glx)) continue;
+        driver.real_main = real_main;
+        driver.is_glx = is_glx;
+        return static_cast<int>(i);
+    }
+    return -1;
+}
+
+}  // namespace
+
+const RealGl& real_gl_of(int driver) { return drivers[static_cast<std::size_t>(driver)].real; }
+
+void* driver_function(int driver, const char* name) {
+    return drivers[static_cast<std::size_t>(driver)].get_proc_address(name);
+}
+
+void* wrap_glx_main(void* real) {
+    if (settings().steps_aside()) return real;
+    const int place = place_for(real, true);
+    return place < 0 ? real : reinterpret_cast<void*>(kGlxMains[static_cast<std::size_t>(place)]);
+}
+
+void* wrap_egl_main(void* real) {
+    if (settings().steps_aside()) return real;
+    const int place = place_for(real, false);
+    return place < 0 ? real : reinterpret_cast<void*>(kEglMains[static_cast<std::size_t>(place)]);
+}
+
+}  // namespace glext_emu

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The layer's place between GLVND and a driver: the driver's entry point is called as if nothing were there, then its
+// getProcAddress is replaced by one that knows the wrappers.
+#pragma once
+
+#include "real_gl.h"
+
+namespace glext_emu {
+
+// <real> is a driver's __glx_Main or __egl_Main. Returns what GLVND shall call instead: a wrapper, or <real> itself where
+// the layer steps aside.
+void* wrap_glx_main(void* real);
+void* wrap_egl_main(void* real);
+
+// A GL library was asked for with RTLD_DEEPBIND and opened without.
+extern bool deepbind_was_cleared;
+
+// More drivers than this are loaded into no process: a GLX and an EGL vendor, and once more after a dlclose.
+inline constexpr int kMostDrivers = 8;
+
+// Replaces what a driver's getProcAddress gives by the layer's window-system functions; returns <real> for other names.
+// <driver> is the index of the driver, below kMostDrivers.
+void* glx_hook(int driver, const char* name, void* real);
+void* egl_hook(int driver, const char* name, void* real);
+
+// What a driver's own getProcAddress gives for <name>.
+void* driver_function(int driver, const char* name);
+
+// The GL functions of a driver.
+const RealGl& real_gl_of(int driver);
+
+}  // namespace glext_emu

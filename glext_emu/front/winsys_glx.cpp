@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+// GLX below GLVND: contexts made, made current and destroyed, and buffers swapped.
+#include <GL/glx.h>
+#include <GL/glxext.h>
+
+#include <array>
+
+#include "context/contexts.h"
+#include "front/winsys.h"
+
+namespace glext_emu {
+namespace {
+
+struct RealGlx {
+    GLXContext (*create)(Display*, XVisualInfo*, GLXContext, Bool) = nullptr;
+    GLXContext (*create_new)(Display*, GLXFBConfig, int, GLXContext, Bool) = nullptr;
+    GLXContext (*create_attribs)(Display*, GLXFBConfig, GLXContext, Bool, const int*) = nullptr;
+    void (*destroy)(Display*, GLXContext) = nullptr;
+    void (*copy)(Display*, GLXContext, GLXContext, unsigned long) = nullptr;
+    Bool (*make_current)(Display*, GLXDrawable, GLXContext) = nullptr;
+    Bool (*make_context_current)(Display*, GLXDrawable, GLXDrawable, GLXContext) = nullptr;
+    void (*swap)(Display*, GLXDrawable) = nullptr;
+    int64_t (*swap_msc)(Display*, GLXDrawable, int64_t, int64_t, int64_t) = nullptr;
+};
+
+constinit std::array<RealGlx, kMostDrivers> reals{};
+
+bool asks_for_es(const int* attributes) {
+    for (const int* a = attributes; a != nullptr && *a != 0; a += 2) {
+        if (a[0] == GLX_CONTEXT_PROFILE_MASK_ARB) return (a[1] & GLX_CONTEXT_ES2_PROFILE_BIT_EXT) != 0;
+    }
+    return false;
+}
+
+template <int kDriver>
+struct Hooks {
+    static RealGlx& real() { return reals[kDriver]; }
+
+    static GLXContext created(GLXContext context, GLXContext share, Bool is_direct) {
+        // An indirect context renders in the X server, out of reach.
+        if (context != nullptr && is_direct) context_created("glx", real_gl_of(kDriver), context, share);
+        return context;
+    }
+
+    static GLXContext create(Display* display, XVisualInfo* visual, GLXContext share, Bool direct) {
+        return created(real().create(display, visual, share, direct), share, direct);
+    }
+    static GLXContext create_new(Display* display, GLXFBConfig config, int type, GLXContext share, Bool direct) {
+        return created(real().create_new(display, config, type, share, direct), share, direct);
+    }
+    static GLXContext create_attribs(Display* display, GLXFBConfig config, GLXContext share, Bool direct,
+                                     const int* attributes) {
+        if (asks_for_es(attributes)) {
+            return created(real().create_attribs(display, config, share, direct, attributes), share, direct);
+        }
+        const auto obedient =
+            obey_device(attributes, 0, GLX_CONTEXT_MAJOR_VERSION_ARB, GLX_CONTEXT_MINOR_VERSION_ARB);
+        return created(real().create_attribs(display, config, share, direct, obedient.data()), share, direct);
+    }
+    static void destroy(Display* display, GLXContext context) {
+        context_destroyed(context);
+        real().destroy(display, context);
+    }
+    static void copy(Display* display, GLXContext from, GLXContext to, unsigned long mask) {
+        real().copy(display, from, to, mask);
+        context_copied(from, to, static_cast<GLbitfield>(mask));
+    }
+    static Bool make_current(Display* display, GLXDrawable drawable, GLXContext context) {
+        const Bool done = real().make_current(display, drawable, context);
+        if (done) context_made_current("glx", real_gl_of(kDriver), context);
+        return done;
+    }
+    static Bool make_context_current(Display* display, GLXDrawable draw, GLXDrawable read, GLXContext context) {
+        const Bool done = real().make_context_current(display, draw, read, context);
+        if (done) context_made_current("glx", real_gl_of(kDriver), context);
+        return done;
+    }
+    static void swap(Display* display, GLXDrawable drawable) {
+        real().swap(display, drawable);
+        buffers_swapped();
+    }
+    static int64_t swap_msc(Display* display, GLXDrawable drawable, int64_t target, int64_t divisor,
+                            int64_t remainder) {
+        const int64_t count = real().swap_msc(display, drawable, target, divisor, remainder);
+        if (count >= 0) buffers_swapped();
+        return count;
+    }
+
+    static void* find(const char* name, void* driver_function) {
+        const auto is = [name](const char* other) { return std::strcmp(name, other) == 0; };
+        if (is("glXCreateContext")) return take(real().create, driver_function, create);
+        if (is("glXCreateNewContext")) return take(real().create_new, driver_function, create_new);
+        if (is("glXCreateContextAttribsARB")) return take(real().create_attribs, driver_function, create_attribs);
+        if (is("glXDestroyContext")) return take(real().destroy, driver_function, destroy);
+        if (is("glXCopyContext")) return take(real().copy, driver_function, copy);
+        if (is("glXMakeCurrent")) return take(real().make_current, driver_function, make_current);
+        if (is("glXMakeContextCurrent") || is("glXMakeCurrentReadSGI")) {
+            return take(real().make_context_current, driver_function, make_context_current);
+        }
+        if (is("glXSwapBuffers")) return take(real().swap, driver_function, swap);
+        if (is("glXSwapBuffersMscOML")) return take(real().swap_msc, driver_function, swap_msc);
+        return driver_function;
+    }
+};
+
+}  // namespace
+
+void* glx_hook(int driver, const char* name, void* real) {
+    return find_in<Hooks>(driver, name, real, std::make_integer_sequence<int, kMostDrivers>{});
+}
+
+}  // namespace glext_emu

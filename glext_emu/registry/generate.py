@@ -1,0 +1,188 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""Generates the layer's boring half from gl.xml and hooks.list.
+
+  generate.py --registry gl.xml --hooks hooks.list --out DIR
+
+writes real_gl.h, real_gl_names.inc, hot_bits.h and entry.cpp. Exit status 1, with one sentence on stderr,
+where hooks.list and gl.xml disagree or a draw, query or conditional-render command is not classified.
+"""
+import argparse
+import pathlib
+import re
+import sys
+import xml.etree.ElementTree as ET
+
+# A command with one of these shapes draws, queries or renders conditionally, and has to be classified.
+LOOKS_LIKE_DRAW_OR_QUERY = re.compile(
+    r"^gl(Multi(Mode)?)?Draw|^glRect|^glEvalMesh|^glCallList|^gl(Bitmap|Begin$|End$|CopyPixels)|Quer(y|ies)|Conditional"
+    r"|^gl(Named)?FramebufferDrawBuffer")
+
+BANNER = "// Generated from gl.xml and hooks.list. Do not edit.\n"
+
+
+class Command:
+    """One command of gl.xml: name, C return type, parameters as (declaration, name), the root of its alias family."""
+
+    def __init__(self, element):
+        proto = element.find("proto")
+        self.name = proto.find("name").text
+        self.returns = "".join(proto.itertext())[: -len(self.name)].strip()
+        self.params = [(" ".join("".join(p.itertext()).split()), p.find("name").text) for p in element.findall("param")]
+        alias = element.find("alias")
+        self.alias = alias.get("name") if alias is not None else None
+
+    def declaration(self, name):
+        return f"{self.returns} {name}({self.parameters()})"
+
+    def parameters(self):
+        return ", ".join(declaration for declaration, _ in self.params)
+
+    def arguments(self):
+        return ", ".join(name for _, name in self.params)
+
+
+def fail(sentence):
+    sys.exit(f"generate.py: {sentence}")
+
+
+def read_registry(path):
+    commands = {}
+    for element in ET.parse(path).getroot().find("commands"):
+        command = Command(element)
+        commands[command.name] = command
+    for command in commands.values():  # walk each alias to its root
+        seen = {command.name}
+        while command.alias and commands[command.alias].alias and command.alias not in seen:
+            seen.add(command.alias)
+            command.alias = commands[command.alias].alias
+    return commands
+
+
+def snake_case(name):
+    """glGetQueryObjectui64v -> get_query_objectui64v"""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name.removeprefix("gl")).lower()
+
+
+def read_hooks(path, commands):
+    """Returns hooks {name: (class, how)}, the names in [real] and the expressions in [leave]."""
+    hooks, real, leave, section = {}, [], [], None
+    for number, raw in enumerate(path.read_text().splitlines(), 1):
+        line = raw if section == "leave" else raw.split("#")[0]
+        line = line.strip()
+        if not line or line.startswith("#"):
+            continue
+        if match := re.fullmatch(r"\[(\w+)\]", line):
+            section = match[1]
+            continue
+        if section is None:
+            fail(f"{path}:{number}: a command before the first [class]")
+        if section == "leave":
+            parts = line.split(None, 1)
+            if len(parts) != 2:
+                fail(f"{path}:{number}: an expression without the reason why it is left alone")
+            leave.append(re.compile(parts[0]))
+            continue
+        match = re.fullmatch(r"(gl\w+)\s*(?:=\s*(\w+)|:\s*(.+))?", line)
+        if not match:
+            fail(f"{path}:{number}: expected `glName`, `glName = function` or `glName : triangles`, found `{line}`")
+        name, function, triangles = match.groups()
+        if name not in commands:
+            fail(f"{path}:{number}: gl.xml has no command {name}")
+        if name in hooks or name in real:
+            fail(f"{path}:{number}: {name} stands twice")
+        if section == "real":
+            real.append(name)
+            continue
+        if (section == "draw") != (triangles is not None):
+            fail(f"{path}:{number}: in [draw], and only there, a command says how many triangles it draws")
+        hooks[name] = (section, triangles or function or snake_case(name))
+    for command in commands.values():
+        root = command.alias
+        if root in hooks and command.name not in hooks:
+            if len(command.params) != len(commands[root].params):
+                fail(f"{command.name} is called an alias of {root} but has other parameters")
+            section, how = hooks[root]
+            if section == "draw":  # the expression names the root's parameters
+                renamed = dict(zip((n for _, n in commands[root].params), (n for _, n in command.params)))
+                how = re.sub(r"\w+", lambda m: renamed.get(m[0], m[0]), how)
+            hooks[command.name] = (section, how)
+    return hooks, real, leave
+
+
+def check_every_draw_and_query_is_classified(commands, hooks, leave):
+    for name in sorted(commands):
+        if not LOOKS_LIKE_DRAW_OR_QUERY.search(name):
+            continue
+        left = [expression for expression in leave if expression.fullmatch(name)]
+        if name in hooks and left:
+            fail(f"{name} is both hooked and matched by `{left[0].pattern}` in [leave]")
+        if name not in hooks and not left:
+            fail(f"{name} looks like a draw, query or conditional-render command and hooks.list does not classify it")
+
+
+def real_gl_header(commands, names):
+    fields = "\n".join(f"    {commands[n].returns} (*{n})({commands[n].parameters()});" for n in names)
+    return (f"{BANNER}#pragma once\n#include <GL/gl.h>\n#include <GL/glext.h>\n\n"
+            "namespace glext_emu {\n\n"
+            "// The driver's own functions, in the order of real_gl_names.inc; null where the driver has none.\n"
+            f"struct RealGl {{\n{fields}\n}};\n\n}}  // namespace glext_emu\n")
+
+
+def hot_bits_header(hooks):
+    classes = list(dict.fromkeys(section for section, _ in hooks.values()))
+    bits = "\n".join(f"inline constexpr std::uint32_t kHot{c.capitalize()} = 1u << {i};" for i, c in enumerate(classes))
+    return (f"{BANNER}#pragma once\n#include <cstdint>\n\nnamespace glext_emu {{\n\n"
+            "// A bit of the hot word for each class of hooks.list.\n"
+            f"{bits}\n"
+            f"inline constexpr std::uint32_t kHotAll = {hex((1 << len(classes)) - 1)};\n\n}}  // namespace glext_emu\n")
+
+
+def wrapper(command, section, how):
+    call = f"current.real->{command.name}({command.arguments()})"
+    lines = [f"{command.returns} {command.name}({command.parameters()}) {{",
+             f"    if (!(current.hot & kHot{section.capitalize()})) [[likely]] return {call};",
+             "    Context& ctx = enter();"]
+    if section == "draw":
+        lines += [f"    features::before_draw(ctx, {how if how != 'unknown' else 'features::unknown()'});"
+                  if how == "unknown" else f"    features::before_draw(ctx, features::{how});",
+                  f"    return {call};"]
+    else:
+        comma = ", " if command.params else ""
+        lines += [f"    return features::{how}(ctx{comma}{command.arguments()});"]
+    return "\n".join(lines + ["}"])
+
+
+def entry_source(commands, hooks):
+    names = sorted(hooks)
+    wrappers = "\n\n".join(wrapper(commands[n], *hooks[n]) for n in names)
+    table = "\n".join(f'    {{"{n}", reinterpret_cast<void*>(wrappers::{n})}},' for n in names)
+    return (f'{BANNER}#include "entry/entry.h"\n\n#include "features/features.h"\n\n'
+            "namespace glext_emu {\nnamespace wrappers {\n\n"
+            f"{wrappers}\n\n}}  // namespace wrappers\n\n"
+            "// Sorted by name.\n"
+            f"const Hook kHooks[] = {{\n{table}\n}};\n"
+            f"const std::size_t kHookCount = {len(names)};\n\n}}  // namespace glext_emu\n")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--registry", type=pathlib.Path, required=True)
+    parser.add_argument("--hooks", type=pathlib.Path, required=True)
+    parser.add_argument("--out", type=pathlib.Path, required=True)
+    args = parser.parse_args()
+
+    commands = read_registry(args.registry)
+    hooks, real, leave = read_hooks(args.hooks, commands)
+    check_every_draw_and_query_is_classified(commands, hooks, leave)
+
+    names = sorted(set(hooks) | set(real))
+    args.out.mkdir(parents=True, exist_ok=True)
+    (args.out / "real_gl.h").write_text(real_gl_header(commands, names))
+    (args.out / "real_gl_names.inc").write_text("".join(f'"{n}",\n' for n in names))
+    (args.out / "hot_bits.h").write_text(hot_bits_header(hooks))
+    (args.out / "entry.cpp").write_text(entry_source(commands, hooks))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// When a result that the hardware has computed may be seen by the program: the latency of the emulated machine.
+//
+//   none       as soon as the driver has it
+//   wall=US    US microseconds after the query's end; a blocking read really stalls
+//   calls=N    N hooked calls after it; deterministic, a blocking read returns at once and moves the clock to due
+//   frames=N   N buffer swaps after it; likewise, and 1,000 polls without a swap count as one
+//
+// Due times never fall, so results become available in the order in which their queries ended.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace occlusion_unit {
+
+enum class ClockKind { kNone, kWall, kCalls, kFrames };
+
+struct Latency {
+    ClockKind kind = ClockKind::kNone;
+    std::uint64_t amount = 0;  // microseconds, calls or frames
+
+    // "none", "wall=50", "calls=10", "frames=2"; nothing if the text is none of these.
+    static std::optional<Latency> parse(std::string_view text);
+    std::string text() const;
+};
+
+// A point on the clock: nanoseconds of the steady clock, calls, or frames.
+using Tick = std::uint64_t;
+
+class Clock {
+  public:
+    explicit Clock(Latency latency) : latency_(latency) {}
+
+    // False where results are seen when the driver has them.
+    bool delays() const { return latency_.kind != ClockKind::kNone; }
+    // True where the same calls always see the same answers.
+    bool is_deterministic() const {
+        return latency_.kind == ClockKind::kCalls || latency_.kind == ClockKind::kFrames;
+    }
+    bool counts_calls() const { return latency_.kind == ClockKind::kCalls; }
+
+    void count_call() { ++calls_; }
+    void count_swap();
+
+    // When a query that ends now is due.
+    Tick due() const { return now() + span(); }
+    // The program asks whether a result is there. Under frames, polling alone moves the clock too, so that a program
+    // that waits for a result before it swaps goes on.
+    bool poll(Tick due);
+    // True once the clock has reached <due>; moves nothing.
+    bool reached(Tick due) const { return now() >= due; }
+    // A blocking read: returns when the clock has reached <due>.
+    void wait_until(Tick due);
+
+  private:
+    Tick now() const;
+    Tick span() const;
+
+    Latency latency_;
+    Tick calls_ = 0;
+    Tick frames_ = 0;
+    unsigned polls_since_swap_ = 0;
+};
+
+}  // namespace occlusion_unit
