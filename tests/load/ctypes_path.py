@@ -75,11 +75,11 @@ def read_result(gl):
 def check(gl, layer):
     gl.glGetString.restype = ctypes.c_char_p
     words = gl.glGetString(GL_EXTENSIONS).split()
-    require(words.count(b"GL_HP_occlusion_test") == layer, "GL_HP_occlusion_test is listed once with the layer, else never")
+    require(words.count(b"GL_HP_occlusion_test") == layer, "GL_HP_occlusion_test is listed once, or never")
     require(gl.glGetError() == GL_NO_ERROR, "no error is pending before the test")
     gl.glEnable(OCCLUSION_TEST_HP)
     error = gl.glGetError()
-    require(error == (GL_NO_ERROR if layer else GL_INVALID_ENUM), "GL knows OCCLUSION_TEST_HP with the layer only")
+    require(error == (GL_NO_ERROR if layer else GL_INVALID_ENUM), "GL knows OCCLUSION_TEST_HP, or does not")
     if not layer:
         return
     gl.glClear(GL_COLOR_AND_DEPTH)
