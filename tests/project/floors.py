@@ -59,7 +59,12 @@ FLOORS = {
 EVERYWHERE = ("tests",)
 
 # What the build generates from gl.xml and the device files, and the floor that it stands on.
-GENERATED = {}
+GENERATED = {
+    "real_gl.h": "glext_emu/real_gl",
+    "real_gl_names.inc": "glext_emu/real_gl",
+    "hot_bits.h": "glext_emu/real_gl",
+    "builtin_devices.inc": "glext_emu/context",
+}
 
 INCLUDE = re.compile(r'^\s*#\s*include(?:_next)?\s*(?:<([^>]+)>|"([^"]+)")', re.MULTILINE)
 
