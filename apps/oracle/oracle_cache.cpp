@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The cache's file: JSON, {"key": "...", "truths": [{"contested": n, "hash": "...", "visible": [ids]}]}.
+#include "apps/oracle/oracle_cache.h"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace apps {
+
+OracleCache::OracleCache(std::filesystem::path file, std::uint64_t key, std::size_t frames)
+    : file_(std::move(file)), key_(key), truths_(frames) {
+    std::ifstream in(file_);
+    const auto json = nlohmann::json::parse(in, nullptr, false);
+    if (json.is_discarded() || json.value("key", "") != std::to_string(key_)) return;
+    const auto& truths = json["truths"];
+    if (!truths.is_array() || truths.size() != frames) return;
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+        Truth truth;
+        truth.visible = truths[frame]["visible"].get<std::vector<ObjectId>>();
+        truth.contested_pixels = truths[frame]["contested"].get<std::uint32_t>();
+        truth.image_hash = std::stoull(truths[frame]["hash"].get<std::string>());
+        truths_[frame] = std::move(truth);
+    }
+}
+
+void OracleCache::keep(std::size_t frame, Truth truth) {
+    truths_[frame] = std::move(truth);
+    is_changed_ = true;
+}
+
+void OracleCache::save() const {
+    if (!is_changed_) return;
+    nlohmann::json truths = nlohmann::json::array();
+    for (const std::optional<Truth>& truth : truths_) {
+        if (!truth) return;  // an incomplete run leaves nothing behind
+        truths.push_back({{"visible", truth->visible},
+                          {"contested", truth->contested_pixels},
+                          {"hash", std::to_string(truth->image_hash)}});
+    }
+    std::filesystem::path part = file_;
+    part += ".part" + std::to_string(::getpid());
+    std::ofstream out(part);
+    out << nlohmann::json{{"key", std::to_string(key_)}, {"truths", truths}};
+    out.close();
+    if (!out) throw std::runtime_error("cannot write " + part.string());
+    std::filesystem::rename(part, file_);
+}
+
+}  // namespace apps

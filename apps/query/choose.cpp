@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Asks the machine which test it has. Only its own word counts: a name that GetProcAddress finds proves
+// nothing.
+#include "apps/query/occlusion_test_makers.h"
+
+namespace apps {
+
+std::unique_ptr<OcclusionTest> choose_occlusion_test(Platform& platform) {
+    if (platform.has_extension("GL_ARB_occlusion_query") || platform.is_at_least(1, 5))
+        return make_arb_occlusion_query(platform);
+    if (platform.has_extension("GL_HP_occlusion_test")) return make_hp_occlusion_test();
+    return nullptr;
+}
+
+}  // namespace apps

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The test through GL_HP_occlusion_test: one flag in the machine, so one test at a time.
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include "apps/query/occlusion_test_makers.h"
+
+namespace apps {
+namespace {
+
+class HpOcclusionTest final : public OcclusionTest {
+  public:
+    /// "The result is set to FALSE as a side effect of reading it": what earlier drawing left behind is gone.
+    HpOcclusionTest() { wait(); }
+
+    std::string_view extension() const override { return "GL_HP_occlusion_test"; }
+    void begin() override { glEnable(GL_OCCLUSION_TEST_HP); }
+    void end() override { glDisable(GL_OCCLUSION_TEST_HP); }
+
+    bool wait() override {
+        GLboolean result = GL_TRUE;  // no answer means visible
+        glGetBooleanv(GL_OCCLUSION_TEST_RESULT_HP, &result);
+        return result == GL_TRUE;
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<OcclusionTest> make_hp_occlusion_test() {
+    return std::make_unique<HpOcclusionTest>();
+}
+
+}  // namespace apps

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Draws a scene's objects, and the proxies of occlusion tests, with fixed-function GL 1.1: vertex arrays in
+// buffer objects where the machine advertises them, else in the client's memory. One Renderer to a context.
+// Depth test LEQUAL, no face culling, no blending, no dithering: a picture is a function of the set of
+// objects.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "apps/platform/platform.h"
+#include "apps/scene/scene.h"
+
+namespace apps {
+
+class Renderer {
+  public:
+    Renderer(Platform& platform, const Scene& scene);
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// A set of colours, one to a vertex of the scene; kBaked is the scene's own.
+    using Paint = std::size_t;
+    static constexpr Paint kBaked = 0;
+    Paint add_paint(std::vector<glm::u8vec4> colours);
+    /// `is_flat`: no interpolation, every pixel has exactly the colour of its vertices.
+    void use_paint(Paint paint, bool is_flat);
+
+    void set_matrices(const glm::mat4& modelview, const glm::mat4& projection, int width, int height);
+
+    /// Clears colour and depth.
+    void clear(const glm::vec4& colour);
+
+    void draw(std::span<const ObjectId> objects);
+
+    /// The same, last object first; `objects` ascending.
+    void draw_backwards(std::span<const ObjectId> objects);
+
+    /// Prepares for draw_proxy, which draws the twelve triangles of a box without changing a pixel.
+    void use_proxies();
+    void draw_proxy(const Box& box);
+
+    void finish();
+
+    /// RGBA of the whole view, bottom row first.
+    std::vector<std::uint32_t> read_pixels() const;
+
+    bool has_buffer_objects() const { return has_buffers_; }
+
+  private:
+    enum class Mode { kNone, kForwards, kBackwards, kProxies };
+    struct Buffers;
+
+    void use_objects(Mode mode);
+    void draw_run(std::uint32_t first_index, std::uint32_t count);
+
+    const Scene& scene_;
+    bool has_buffers_ = false;
+    std::unique_ptr<Buffers> buffers_;
+    std::vector<std::uint32_t> backward_indices_;
+    std::vector<std::vector<glm::u8vec4>> paints_;
+    Paint paint_ = kBaked;
+    Mode mode_ = Mode::kNone;
+    int width_ = 0;
+    int height_ = 0;
+    glm::vec3 proxy_corners_[8];
+    glm::u8vec4 proxy_colours_[8]{};
+};
+
+}  // namespace apps

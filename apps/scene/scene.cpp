@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Sums, permutation and fingerprint of a scene.
+#include "apps/scene/scene.h"
+
+namespace apps {
+
+std::uint64_t triangles_of(const Scene& scene, std::span<const ObjectId> objects) {
+    std::uint64_t sum = 0;
+    for (const ObjectId id : objects) sum += scene.objects[id].triangle_count();
+    return sum;
+}
+
+Scene reordered(const Scene& scene, std::span<const ObjectId> order) {
+    Scene result;
+    result.name = scene.name;
+    result.path = scene.path;
+    result.bounds = scene.bounds;
+    result.positions.reserve(scene.positions.size());
+    result.colours.reserve(scene.colours.size());
+    result.indices.reserve(scene.indices.size());
+    result.objects.reserve(scene.objects.size());
+    for (const ObjectId id : order) {
+        Object object = scene.objects[id];
+        const auto vertices = static_cast<std::uint32_t>(result.positions.size());
+        const auto indices = static_cast<std::uint32_t>(result.indices.size());
+        for (std::uint32_t v = 0; v < object.vertex_count; ++v) {
+            result.positions.push_back(scene.positions[object.first_vertex + v]);
+            result.colours.push_back(scene.colours[object.first_vertex + v]);
+        }
+        for (std::uint32_t i = 0; i < object.index_count; ++i)
+            result.indices.push_back(scene.indices[object.first_index + i] - object.first_vertex + vertices);
+        object.first_vertex = vertices;
+        object.first_index = indices;
+        result.objects.push_back(object);
+    }
+    return result;
+}
+
+std::uint64_t hash_bytes(std::span<const std::byte> bytes, std::uint64_t hash) {
+    for (const std::byte byte : bytes) hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001B3ULL;
+    return hash;
+}
+
+std::uint64_t hash_of(const Scene& scene) {
+    std::uint64_t hash = hash_bytes(std::as_bytes(std::span(scene.positions)));
+    hash = hash_bytes(std::as_bytes(std::span(scene.colours)), hash);
+    hash = hash_bytes(std::as_bytes(std::span(scene.indices)), hash);
+    for (const Object& object : scene.objects) {
+        hash = hash_bytes(std::as_bytes(std::span(&object.first_index, 1)), hash);
+        hash = hash_bytes(std::as_bytes(std::span(&object.index_count, 1)), hash);
+    }
+    return hash_bytes(std::as_bytes(std::span(scene.path.keys())), hash);
+}
+
+}  // namespace apps

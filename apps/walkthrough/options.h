@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The command line of walkthrough, checked: whoever holds Options can run them.
+#pragma once
+
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "apps/culling/culler.h"
+
+namespace apps {
+
+/// Why a command line cannot be run, as one sentence.
+struct BadUse : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct Options {
+    std::string scene = "chc-city";  // a name of the list, or a model file
+    std::string culler = "stop-and-wait";
+    std::string platform = "egl";
+    int width = 640;
+    int height = 480;
+    int frames = 120;
+    double scale = 1;
+    std::uint64_t seed = 1;
+    KnobValues knobs;  // every knob of the culler
+    std::string json;
+    std::string baseline;
+    bool oracle = false;
+    std::string oracle_cache;
+    std::string images;
+    int image_frame = 0;
+    std::map<std::string, std::string> labels;
+
+    bool list = false;
+    std::string help;  // what to print instead of running, if not empty
+};
+
+/// Throws BadUse.
+Options parse_options(int argc, const char* const* argv);
+
+}  // namespace apps

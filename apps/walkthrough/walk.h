@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The walk itself: a scene with its tree, a context, one culler, and the frames along the path.
+#pragma once
+
+#include "apps/report/frame_report.h"
+#include "apps/walkthrough/options.h"
+
+namespace apps {
+
+/// A scene in the order of its tree.
+struct World {
+    Scene scene;
+    KdTree tree;
+};
+World build_world(const Options& options);
+
+class Walk {
+  public:
+    /// Throws PlatformError or BadUse.
+    Walk(const World& world, const Options& options);
+
+    /// Three passes, so that nothing but the frame itself is in its time: preparation and warming up; the
+    /// timed frames, each ended by a swap; the oracle. A monitor under GL sees warming up as the first frame,
+    /// and frame k as k + 1.
+    std::vector<FrameRecord> run();
+
+    View view(int frame) const;
+
+    /// The scene, the machine and the settings, for the summary.
+    nlohmann::ordered_json facts() const;
+
+  private:
+    FrameRecord draw(int index);
+    void judge(std::vector<FrameRecord>& frames);
+
+    const World& world_;
+    const Options& options_;
+    std::unique_ptr<Platform> platform_;
+    std::unique_ptr<Renderer> renderer_;
+    std::unique_ptr<OcclusionTest> test_;
+    std::unique_ptr<Culler> culler_;
+};
+
+}  // namespace apps
