@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "context/doctor.h"
 #include "context/refusals.h"
 #include "context/report.h"
 #include "context/settings.h"
@@ -100,6 +101,8 @@ void initialise(Context& ctx) {
     ctx.always_hot = always_hot(ctx);
     ctx.is_initialised = true;
     Report::instance().begin_context(ctx);
+    doctor_note(("context: " + std::string(ctx.platform) + ", OpenGL " + ctx.advertised->version_string +
+                 (ctx.kind.is_core_profile ? ", core profile" : "")).c_str());
 }
 
 }  // namespace

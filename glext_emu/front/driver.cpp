@@ -10,7 +10,7 @@
 
 #include "context/settings.h"
 #include "entry/entry.h"
-#include "front/doctor.h"
+#include "context/doctor.h"
 #include "real_gl/provider.h"
 
 namespace glext_emu {

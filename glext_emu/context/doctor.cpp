@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "front/doctor.h"
+#include "context/doctor.h"
 
 #include <errno.h>
 #include <fcntl.h>

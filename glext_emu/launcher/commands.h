@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The launcher's commands. Each returns the status to exit with.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace glext_emu::launcher {
+
+// Bad use: one sentence for the user, exit status 2.
+struct BadUse : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct RunOptions {
+    std::string device = "native";
+    std::string clock = "none";
+    std::string report;
+    bool is_verbose = false;
+    std::vector<std::string> program;  // and its arguments
+};
+
+// Replaces this process by the program with the layer under it; returns only when that fails (126, 127 as shells do).
+int run(const RunOptions& options);
+
+int list_devices(bool as_json);
+
+// Runs the program for at most <seconds> and says what the layer saw, or why it saw nothing.
+int doctor(const std::vector<std::string>& program, int seconds);
+
+// What a child process needs so that the layer is under it; checked, throws BadUse.
+struct Environment {
+    std::string preload;   // LD_PRELOAD
+    std::string settings;  // GLEXT_EMU
+};
+Environment environment_for(const RunOptions& options, const std::string& doctor_file = "");
+
+// The file that execvp would run for <name>; empty if there is none.
+std::string find_program(const std::string& name);
+
+}  // namespace glext_emu::launcher

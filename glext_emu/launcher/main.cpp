@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// glext-emu: puts the layer under a program.
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "launcher/commands.h"
+
+namespace {
+
+constexpr const char* kFooter = R"(examples
+  glext-emu run -- glxgears                                       the program on this machine's own GL
+  glext-emu run --device visualize-fx -- ./my_program             1997: one boolean occlusion test at a time
+  glext-emu run --device geforce-fx-5950 --clock wall=50 -- ...   2003: query objects, results 50 us late
+  glext-emu run --device mesa --report report.json -- ...         count queries, waits, draws per frame
+  glext-emu doctor -- ./my_program                                is the layer under it, and if not, why
+
+GLEXT_EMU=0 in the environment switches the layer off.)";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace glext_emu::launcher;
+
+    CLI::App app{"Runs OpenGL programs on emulated occlusion-query hardware."};
+    app.footer(kFooter);
+    app.require_subcommand(1);
+
+    RunOptions options;
+    CLI::App* const run_command = app.add_subcommand("run", "run a program with the layer under it");
+    run_command->prefix_command();
+    run_command->add_option("--device", options.device, "a built-in device (see `glext-emu devices`) or a .toml file")
+        ->capture_default_str();
+    run_command
+        ->add_option("--clock", options.clock,
+                     "when results may be seen: none, wall=MICROSECONDS, calls=N or frames=N after the query's end")
+        ->capture_default_str();
+    run_command->add_option("--report", options.report, "write queries, waits and draws per frame to this JSON file");
+    run_command->add_flag("-v,--verbose", options.is_verbose, "say how the program is started");
+
+    bool as_json = false;
+    CLI::App* const devices_command = app.add_subcommand("devices", "list the built-in devices");
+    devices_command->add_flag("--json", as_json, "as one JSON array");
+
+    int seconds = 5;
+    CLI::App* const doctor_command =
+        app.add_subcommand("doctor", "say whether the layer gets under a program, and if not, why");
+    doctor_command->prefix_command();
+    doctor_command->add_option("--seconds", seconds, "end the program after this many")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 3600));
+
+    // What follows `--` is the program's, whatever it looks like.
+    char** const dashes = std::find_if(argv, argv + argc, [](const char* word) { return std::strcmp(word, "--") == 0; });
+    std::vector<std::string> program(std::min(dashes + 1, argv + argc), argv + argc);
+    try {
+        app.parse(static_cast<int>(dashes - argv), argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error);
+        fmt::print(stderr, "glext-emu: {}; `glext-emu --help` shows the use.\n", error.what());
+        return 2;
+    }
+    CLI::App* const command = app.get_subcommands().front();
+    if (program.empty()) program = command->remaining();
+    try {
+        if (*run_command) {
+            options.program = std::move(program);
+            return run(options);
+        }
+        if (*devices_command) return list_devices(as_json);
+        return doctor(program, seconds);
+    } catch (const BadUse& error) {
+        fmt::print(stderr, "glext-emu: {}\n", error.what());
+        return 2;
+    }
+}
