@@ -37,6 +37,14 @@ void draw_rect(const Rect& rect, float depth) {
     glEnd();
 }
 
+void draw_triangle(float depth) {
+    glBegin(GL_TRIANGLES);
+    glVertex3f(0.0f, 0.0f, depth);
+    glVertex3f(kSurfaceSize, 0.0f, depth);
+    glVertex3f(0.0f, kSurfaceSize, depth);
+    glEnd();
+}
+
 void draw_point(int x, int y, float depth) {
     glBegin(GL_POINTS);
     glVertex3f(static_cast<GLfloat>(x) + 0.5f, static_cast<GLfloat>(y) + 0.5f, depth);

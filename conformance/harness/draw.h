@@ -34,6 +34,7 @@ void use_pixel_coordinates(int width = kSurfaceSize, int height = kSurfaceSize);
 void clear(float depth = 1.0f);
 
 void draw_rect(const Rect& rect, float depth);
+void draw_triangle(float depth);             // one primitive over the lower left half of all pixels
 void draw_point(int x, int y, float depth);  // the one pixel (x, y)
 
 // An occluder over all pixels at kMiddle, in the cleared depth buffer; leaves the depth test on with LESS and
