@@ -124,6 +124,12 @@ void context_destroyed(const void* handle) {
     contexts().by_handle.erase(found);
 }
 
+void context_leaves_thread() {
+    // A context that is destroyed with a query still active crashes llvmpipe, whose rasteriser writes into it; the
+    // program knows of no query, so it is not the one to blame. The next draw opens another segment.
+    if (current.context != nullptr && !current.context->recording.is_open()) close_segment(*current.context);
+}
+
 void context_made_current(const char* platform, const RealGl& real, const void* handle) {
     Context* const before = current.context;
     if (handle == nullptr) {
@@ -150,6 +156,11 @@ void context_copied(const void* from, const void* to, GLbitfield mask) {
     // The enable is state of the group "enable"; the flag belongs to none.
     target->second->slot.test_enabled = source->second->slot.test_enabled;
     target->second->update_hot();
+}
+
+void for_each_context(void (*visit)(Context& ctx)) {
+    const std::lock_guard lock(contexts().mutex);
+    for (const auto& [handle, ctx] : contexts().by_handle) visit(*ctx);
 }
 
 void buffers_swapped() {

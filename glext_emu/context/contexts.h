@@ -10,11 +10,15 @@ namespace glext_emu {
 // <share> is the handle of a context to share with, or null.
 void context_created(const char* platform, const RealGl& real, const void* handle, const void* share);
 void context_destroyed(const void* handle);
+// The thread's context may leave it, by MakeCurrent, ReleaseThread or Terminate: called before the driver is.
+void context_leaves_thread();
 // The driver has made <handle> current in this thread; null: none. An unknown handle (a context made before the layer
 // was there) is taken up as new.
 void context_made_current(const char* platform, const RealGl& real, const void* handle);
 // The driver has copied the state groups of <mask> from one context to another (glXCopyContext).
 void context_copied(const void* from, const void* to, GLbitfield mask);
+// Calls <visit> for each context that is not destroyed yet.
+void for_each_context(void (*visit)(Context& ctx));
 // The program has swapped the buffers of the current context's drawable.
 void buffers_swapped();
 

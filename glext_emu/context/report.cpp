@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "context/context.h"
+#include "context/contexts.h"
 #include "context/settings.h"
 
 namespace glext_emu {
@@ -157,7 +157,7 @@ void Report::flush_locked() {
 void Report::flush_at_exit() {
     Report* const report = made_;
     if (report == nullptr) return;
-    if (current.context != nullptr) report->end_context(*current.context);
+    for_each_context([](Context& ctx) { instance().end_context(ctx); });
     report->flush();
 }
 

@@ -41,11 +41,13 @@ struct Hooks {
         return done;
     }
     static EGLBoolean make_current(EGLDisplay display, EGLSurface draw, EGLSurface read, EGLContext context) {
+        context_leaves_thread();
         const EGLBoolean done = real().make_current(display, draw, read, context);
         if (done) context_made_current("egl", real_gl_of(kDriver), context);
         return done;
     }
     static EGLBoolean release_thread() {
+        context_leaves_thread();
         const EGLBoolean done = real().release_thread();
         if (done) context_made_current("egl", real_gl_of(kDriver), nullptr);
         return done;

@@ -66,11 +66,13 @@ struct Hooks {
         context_copied(from, to, static_cast<GLbitfield>(mask));
     }
     static Bool make_current(Display* display, GLXDrawable drawable, GLXContext context) {
+        context_leaves_thread();
         const Bool done = real().make_current(display, drawable, context);
         if (done) context_made_current("glx", real_gl_of(kDriver), context);
         return done;
     }
     static Bool make_context_current(Display* display, GLXDrawable draw, GLXDrawable read, GLXContext context) {
+        context_leaves_thread();
         const Bool done = real().make_context_current(display, draw, read, context);
         if (done) context_made_current("glx", real_gl_of(kDriver), context);
         return done;

@@ -139,18 +139,18 @@ def hot_bits_header(hooks):
 
 
 def wrapper(command, section, how):
+    """The fast path holds nothing but the test and a jump, so the slow one is a function of its own."""
     call = f"current.real->{command.name}({command.arguments()})"
-    lines = [f"{command.returns} {command.name}({command.parameters()}) {{",
-             f"    if (!(current.hot & kHot{section.capitalize()})) [[likely]] return {call};",
-             "    Context& ctx = enter();"]
     if section == "draw":
-        lines += [f"    features::before_draw(ctx, {how if how != 'unknown' else 'features::unknown()'});"
-                  if how == "unknown" else f"    features::before_draw(ctx, features::{how});",
-                  f"    return {call};"]
+        body = f"    features::before_draw(ctx, features::{how});\n    return {call};"
     else:
-        comma = ", " if command.params else ""
-        lines += [f"    return features::{how}(ctx{comma}{command.arguments()});"]
-    return "\n".join(lines + ["}"])
+        arguments = ", ".join(["ctx"] + [name for _, name in command.params])
+        body = f"    return features::{how}({arguments});"
+    return (f"[[gnu::noinline, gnu::cold]] static {command.declaration('slow_' + command.name)} {{\n"
+            f"    Context& ctx = enter();\n{body}\n}}\n"
+            f"{command.declaration(command.name)} {{\n"
+            f"    if (!(current.hot & kHot{section.capitalize()})) [[likely]] return {call};\n"
+            f"    return slow_{command.name}({command.arguments()});\n}}")
 
 
 def entry_source(commands, hooks):
