@@ -20,6 +20,12 @@ def system_name():
     return platform.system()
 
 
+def driver_name(summary):
+    """Mesa's version and its rasteriser, without the GL version, which is the emulated device's."""
+    renderer = str(summary.get("device", "unknown")).split(", GL ")[0]
+    return f"Mesa {summary.get('mesa', 'unknown')}, {renderer}"
+
+
 def commit(root):
     """The short hash, with a word if the tree differs from it; a sentence where there is no repository."""
     try:
@@ -38,7 +44,7 @@ def describe(root, threads, summary, size, load_before):
     return [
         ("Processor", f"{cpu_name()}, {os.cpu_count()} cores"),
         ("Rasteriser threads", f"LP_NUM_THREADS={threads}"),
-        ("Driver", str(summary.get("mesa", "unknown"))),
+        ("Driver", driver_name(summary)),
         ("System", f"{system_name()}, Linux {platform.release()}"),
         ("Picture size", f"{size} pixels"),
         ("Load before the first run", f"{load_before:.2f}"),

@@ -9,14 +9,15 @@ from string import Template
 
 from . import plots, tables
 from .matrix import BASELINE, BOUND, DEVICE_TITLES, QUERYING
-from .rows import break_even_us, row_with
+from .rows import break_even_us, query_budget_us, row_with
+from .runs import PICTURES
 
 HERE = Path(__file__).parent
-PICTURES = (
-    ("view.png", "What the camera sees, at frame {frame} of the path."),
-    ("above.png", "The same moment from above: what stop-and-wait draws stands out; the rest is hidden or out of view."),
-    ("nodes.png", "The boxes of the tree that were asked about, from above: orange ones were answered visible."),
-)  # fmt: skip
+CAPTIONS = (
+    "What the camera sees, at frame {frame} of the path.",
+    "The same moment from above: what stop-and-wait draws stands out; the rest is hidden or out of view.",
+    "The boxes of the tree that were asked about, from above: orange ones were answered visible.",
+)
 
 
 def cards(rows, checks):
@@ -36,23 +37,25 @@ def cards(rows, checks):
 
 
 def pays_below(rows, device):
-    """One sentence on when asking pays on a device."""
-    even = break_even_us(rows, device, QUERYING[0])
+    """When asking pays on a device: (figure, sentence)."""
+    even, budget = break_even_us(rows, device, QUERYING[0]), query_budget_us(rows, device, QUERYING[0])
     frustum = row_with(rows, device, BASELINE)
     points = sorted(
         (r for r in rows if r.device == device and r.culler in QUERYING and not r.repeat),
         key=lambda row: row.latency_us,
     )
-    if frustum is None or not points:
+    if frustum is None or not points or budget is None:
         return "?", f"{device}: a run that is needed for the answer failed"
+    first, last = points[0], points[-1]
+    costs = f"a query may cost {budget:,.0f} µs in all and costs {first.query_cost_us:,.0f} µs "
+    costs += "at the driver's own speed" if first.latency_us == 0 else f"when {first.latency_us:g} µs late"
     if even:
-        return f"{even:,.0f} µs", f"late may a result be on {device} before waiting for it no longer pays"
-    if even == 0:
-        ours, theirs = points[0].frame_ms, frustum.frame_ms
-        return "never", f"does waiting for results pay on {device} here: {ours:,.1f} ms against {theirs:,.1f} ms"
-    if points[-1].frame_ms < frustum.frame_ms:
-        late = points[-1].latency_us
-        return f"> {late:g} µs", f"late may a result be on {device}: waiting still paid at the largest latency measured"
+        return f"{even:,.0f} µs", f"late may a result be on {device} before waiting for it no longer pays: {costs}"
+    if first.frame_ms >= frustum.frame_ms:
+        part = f"it still pays in {first.frames_faster_total} of the path's frames"
+        return "slower", f"on average than asking nothing, waiting for results on {device}: {costs}; {part}"
+    if last.frame_ms < frustum.frame_ms:
+        return f"> {last.latency_us:g} µs", f"late may a result be on {device}, the largest latency measured: {costs}"
     return "?", f"{device}: the latencies measured do not bracket the answer"
 
 
@@ -63,7 +66,7 @@ def definitions(pairs):
 def pictures(folder, frame):
     """The three pictures, inlined; one that is missing is left out."""
     figures = []
-    for name, caption in PICTURES:
+    for name, caption in zip(PICTURES, CAPTIONS):
         if (folder / name).exists():
             data = base64.b64encode((folder / name).read_bytes()).decode()
             text = caption.format(frame=frame)

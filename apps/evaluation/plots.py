@@ -53,7 +53,8 @@ def label_of(latency_us):
 
 
 def plain_log_axis(axis):
-    """Numbers as people write them instead of powers of ten."""
+    """Ticks at 1, 2 and 5, and numbers as people write them instead of powers of ten."""
+    axis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1, 2, 5)))
     axis.set_major_formatter(matplotlib.ticker.FuncFormatter(lambda value, _: f"{value:,g}"))
     axis.set_minor_formatter(matplotlib.ticker.NullFormatter())
 

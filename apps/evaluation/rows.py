@@ -10,7 +10,7 @@ from dataclasses import dataclass, fields
 
 import numpy
 
-from .matrix import BASELINE
+from .matrix import BASELINE, BOUND
 
 
 @dataclass
@@ -40,6 +40,8 @@ class Row:
     layer_stall_ms: float
     speedup_of_means: float = None
     speedup_mean: float = None
+    frames_faster_total: int = None
+    query_cost_us: float = None
 
 
 def mean_of(frames, key):
@@ -98,6 +100,7 @@ def row_of(configuration, measured, baseline):
         baseline_times = frame_times_ms(baseline)
         row.speedup_of_means = float(baseline_times.mean() / times.mean())
         row.speedup_mean = float((baseline_times / times).mean())
+        row.frames_faster_total = int((times < baseline_times).sum())
     return row
 
 
@@ -107,7 +110,21 @@ def build_rows(measured):
     baselines = {
         key.device: value for key, value in whole.items() if key.culler == BASELINE and key.repeat == 0
     }
-    return [row_of(key, value, baselines.get(key.device)) for key, value in whole.items()]
+    rows = [row_of(key, value, baselines.get(key.device)) for key, value in whole.items()]
+    for row in rows:
+        bound = row_with(rows, row.device, BOUND)
+        if row.queries and bound is not None:
+            row.query_cost_us = 1000 * (row.frame_ms - bound.frame_ms) / row.queries
+    return rows
+
+
+def query_budget_us(rows, device, culler):
+    """What a query may cost in all before asking is slower than frustum culling on this path."""
+    asking = next((row for row in rows if row.device == device and row.culler == culler), None)
+    baseline, bound = row_with(rows, device, BASELINE), row_with(rows, device, BOUND)
+    if not asking or not asking.queries or not baseline or not bound:
+        return None
+    return 1000 * (baseline.frame_ms - bound.frame_ms) / asking.queries
 
 
 def row_with(rows, device, culler, latency_us=None, repeat=0):

@@ -13,6 +13,7 @@ from pathlib import Path
 from .matrix import SCENE
 
 PASS_LIMIT_S = 900
+PICTURES = ("view.png", "above.png", "nodes.png")
 
 
 @dataclass
@@ -88,8 +89,6 @@ def run_pass(configuration, settings, pass_name, extra=()):
     """Runs once. Exit status 1 is the walkthrough's word for a false cull: its record is still read."""
     stem = settings.out / "runs" / f"{configuration.name}.{pass_name}"
     command = command_of(configuration, settings, stem, extra)
-    for suffix in (".jsonl", ".layer.json"):
-        Path(f"{stem}{suffix}").unlink(missing_ok=True)
     begin = time.monotonic()
     try:
         done = subprocess.run(
@@ -125,14 +124,21 @@ def judge(configuration, settings, image_frame=None):
     return run_pass(configuration, settings, "judged", extra)
 
 
+def clear(out):
+    """Makes the folders, and takes away what an earlier evaluation left there: nothing old may look new."""
+    for folder, patterns in (("runs", ("*.jsonl", "*.layer.json", "oracle.cache")), ("pictures", PICTURES)):
+        (out / folder).mkdir(parents=True, exist_ok=True)
+        for pattern in patterns:
+            for old in (out / folder).glob(pattern):
+                old.unlink()
+
+
 def measure(matrix, settings, image_frame, progress):
     """Runs the whole matrix. Returns what was measured by configuration, and the failures as sentences.
 
     A configuration whose judged pass fails is not timed; the others go on, so that one page shows all faults.
     """
-    (settings.out / "runs").mkdir(parents=True, exist_ok=True)
-    (settings.out / "pictures").mkdir(exist_ok=True)
-    (settings.out / "runs" / "oracle.cache").unlink(missing_ok=True)
+    clear(settings.out)
     measured = {configuration: Measured() for configuration in matrix}
     failures = []
     painter = next((row for row in matrix if row.queries and row.device == matrix[-1].device), None)
@@ -153,4 +159,7 @@ def measure(matrix, settings, image_frame, progress):
                 alive.remove(configuration)
                 progress.fail(failure)
             progress.finish(configuration)
+    missing = [name for name in PICTURES if not (settings.out / "pictures" / name).exists()]
+    if missing:
+        failures.append(f"no picture was drawn: {', '.join(missing)}")
     return measured, failures

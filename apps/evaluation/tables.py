@@ -50,7 +50,7 @@ def main_table(rows):
     for row in rows:
         heading = "The same again, to show the noise" if row.repeat else DEVICE_TITLES.get(row.device, row.device)
         if heading != group:
-            lines.append(f'<tr class="group"><td colspan="13">{escape(heading)}</td></tr>')
+            lines.append(f'<tr class="group"><td colspan="15">{escape(heading)}</td></tr>')
             group = heading
         lines.append(
             f'<tr class="{"again" if row.repeat else ""}">'
@@ -60,10 +60,15 @@ def main_table(rows):
             + bad_if(row.wrong_pixels_total)
             + time_bar(row, longest_ms)
             + cells(number(row.frame_ms_median, 1), number(row.stall_ms, 1), number(row.layer_stall_ms, 1))
-            + cells(number(row.speedup_of_means, 2), number(row.speedup_mean, 2))
+            + cells(number(row.query_cost_us, 1))
+            + cells(number(row.speedup_of_means, 2), number(row.speedup_mean, 2), faster_frames(row))
             + "</tr>"
         )
     return "\n".join(lines)
+
+
+def faster_frames(row):
+    return DASH if row.culler == BASELINE else number(row.frames_faster_total)
 
 
 def paper_table(rows, device):

@@ -12,7 +12,7 @@ sys.path.insert(0, str(ROOT / "apps"))
 
 from evaluation.checks import run_checks  # noqa: E402
 from evaluation.matrix import Configuration, build_matrix  # noqa: E402
-from evaluation.rows import break_even_us, build_rows, noise, row_with, write_csv  # noqa: E402
+from evaluation.rows import break_even_us, build_rows, noise, query_budget_us, row_with, write_csv  # noqa: E402
 from evaluation.runs import Measured, Pass  # noqa: E402
 
 DEVICE = "geforce-fx-5950"
@@ -70,6 +70,13 @@ class Rows(unittest.TestCase):
         # 2 ms at 0 us and 18 ms at 500 us meet frustum's mean of 8 ms at 187.5 us.
         self.assertAlmostEqual(break_even_us(build_rows(matrix_of((18.0, 18.0))), DEVICE, "stop-and-wait"), 187.5)
         self.assertIsNone(break_even_us(build_rows(matrix_of((6.0, 6.0))), DEVICE, "stop-and-wait"))
+
+    def test_a_query_costs_what_the_frame_takes_longer_than_ideal(self):
+        rows = build_rows(matrix_of())
+        costs = [row.query_cost_us for row in rows]
+        self.assertEqual(costs, [None, 100.0, 500.0, None])  # (2 - 1) and (6 - 1) ms over ten queries
+        self.assertAlmostEqual(query_budget_us(rows, DEVICE, "stop-and-wait"), 700.0)
+        self.assertEqual([row.frames_faster_total for row in rows], [0, 2, 1, 2])
 
     def test_a_configuration_that_failed_is_no_row(self):
         measured = matrix_of()
