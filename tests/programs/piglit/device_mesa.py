@@ -16,6 +16,8 @@ import sys
 import tempfile
 import time
 
+from Xlib import display
+
 import run_piglit
 
 SKIP = 77  # the exit status that CTest is told to count as skipped
@@ -57,7 +59,8 @@ def judge(job, pair):
         if layer.verdict() in again:
             note = f"flaky in Mesa itself, which gave both within {BARE_AGAIN + 1} runs: {differ}"
         else:
-            wrong.append(f"never so in {BARE_AGAIN + 1} runs without the layer: {differ}")
+            last = "".join(f"\n      | {line}" for line in layer.output.splitlines()[-5:])
+            wrong.append(f"never so in {BARE_AGAIN + 1} runs without the layer: {differ}{last}")
     return wrong, note
 
 
@@ -68,6 +71,7 @@ def main():
     jobs = run_piglit.read_jobs("both")
     if len({job.name for job in jobs}) != EXPECTED_TESTS:
         sys.exit(f"piglit_core.tsv lists {len({job.name for job in jobs})} tests, not {EXPECTED_TESTS}")
+    server = display.Display()  # held open: an X server resets itself, and refuses, when its last client has gone
     started = time.monotonic()
     wrong, notes = [], []
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
@@ -76,6 +80,7 @@ def main():
             sentences, note = judge(job, pair)
             wrong += sentences
             notes += [note] if note else []
+    server.close()
     for side, name in ((0, "without the layer"), (1, "under device=mesa")):
         counts = collections.Counter(pair[side].result for pair in pairs)
         subtests = collections.Counter(result for pair in pairs for result in pair[side].subtests.values())
