@@ -126,14 +126,15 @@ TEST(hp_test_in_threads, a_context_handed_from_thread_to_thread_keeps_its_test_a
     }
 }
 
-TEST(hp_test_in_threads, a_context_is_whole_after_its_thread_ended_without_releasing_it) {
+TEST(hp_test_in_threads, a_context_is_whole_after_its_thread_ended) {
     const ThreadContext context;
     in_another_thread([&] {
         context.make_current();
         draw_occluder();
         glEnable(kOcclusionTest);
         draw_pixels(8, 8, -0.5F);
-        glFinish();
+        ThreadContext::release_thread();
+        EXPECT_EQ(glGetString(GL_VERSION), nullptr) << "without a context there is no GL";
     });
     context.make_current();
     EXPECT_TRUE(read_result());
@@ -141,14 +142,20 @@ TEST(hp_test_in_threads, a_context_is_whole_after_its_thread_ended_without_relea
     ThreadContext::release();
 }
 
-TEST(hp_test_in_threads, a_context_starts_clean_while_other_threads_create_and_destroy_contexts) {
+// The driver gives the address of a context that one thread destroys to a context that another thread
+// creates.
+TEST(hp_test_in_threads, a_context_has_its_own_state_while_other_threads_create_and_destroy_contexts) {
     std::vector<int> unclean(2, 0);
-    const auto work = [&unclean](std::size_t index) {
-        for (int round = 0; round < 50; ++round) {
+    std::vector<int> forgotten(2, 0);
+    const auto work = [&](std::size_t index) {
+        for (int round = 0; round < 100; ++round) {
             ThreadContext context;
             context.make_current();
             if (!state_is_initial()) ++unclean[index];
             glEnable(kOcclusionTest);
+            ThreadContext::release();
+            context.make_current();
+            if (!glIsEnabled(kOcclusionTest)) ++forgotten[index];
             draw_pixels(8, 8, 0.0F);
             if (round % 2 == 0) context.destroy();  // while it is current
             ThreadContext::release();
@@ -159,6 +166,7 @@ TEST(hp_test_in_threads, a_context_starts_clean_while_other_threads_create_and_d
     first.join();
     second.join();
     EXPECT_EQ(unclean, std::vector<int>(2, 0));
+    EXPECT_EQ(forgotten, std::vector<int>(2, 0));
 }
 
 }  // namespace

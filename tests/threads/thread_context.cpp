@@ -61,6 +61,10 @@ void ThreadContext::release() {
         give_up("eglMakeCurrent without a context");
 }
 
+void ThreadContext::release_thread() {
+    if (!eglReleaseThread()) give_up("eglReleaseThread");
+}
+
 void ThreadContext::destroy() {
     eglDestroyContext(screen().display, context_);
     eglDestroySurface(screen().display, surface_);

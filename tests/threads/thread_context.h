@@ -24,6 +24,8 @@ class ThreadContext {
     void make_current() const;
     // Leaves the calling thread without a context.
     static void release();
+    // The same by eglReleaseThread, as a thread does that is about to end.
+    static void release_thread();
     // Destroys the context now; where it is current somewhere, GL ends it when it is so no more.
     void destroy();
     EGLContext handle() const { return context_; }
