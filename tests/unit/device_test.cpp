@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "context/device.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace glext_emu {
+namespace {
+
+constexpr std::string_view kGood =
+    "name = \"mine\"\n"
+    "description = \"a machine\"\n"
+    "source = \"a book\"\n"
+    "year = 2001\n"
+    "gl_version = \"1.3\"\n"
+    "[extensions]\n"
+    "emulate = [\"GL_HP_occlusion_test\"]\n"
+    "hide = [\"GL_ARB_occlusion_query\"]\n"
+    "[query]\n"
+    "counter_bits = 24\n";
+
+std::string replaced(std::string_view from, std::string_view to) {
+    std::string text(kGood);
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+TEST(Device, a_good_file_is_read_whole) {
+    const DeviceOrError result = parse_device(kGood, "mine.toml");
+    ASSERT_TRUE(result.device) << result.error;
+    EXPECT_EQ(result.device->name, "mine");
+    EXPECT_EQ(result.device->year, 2001);
+    EXPECT_EQ(*result.device->gl_version, (GlVersion{1, 3}));
+    EXPECT_TRUE(result.device->emulates("GL_HP_occlusion_test"));
+    EXPECT_TRUE(result.device->hides("GL_ARB_occlusion_query"));
+    EXPECT_FALSE(result.device->hides("GL_ARB_occlusion_query2"));
+    EXPECT_EQ(result.device->counter_bits, 24);
+    EXPECT_FALSE(result.device->is_pass_through());
+}
+
+// One sentence, with the file, the line and what was expected.
+TEST(Device, what_is_wrong_is_told_with_file_and_line) {
+    struct Row {
+        std::string text;
+        std::string begins;
+        std::string holds;
+    };
+    const Row rows[] = {
+        {replaced("year = 2001", "yaer = 2001"), "f.toml:4: ", "unknown key `yaer`, expected one of name"},
+        {replaced("year = 2001", "year = \"2001\""), "f.toml:4: ", "`year` is not a whole number from 1980 to 2100"},
+        {replaced("year = 2001", "year = 20010"), "f.toml:4: ", "from 1980 to 2100"},
+        {replaced("\"1.3\"", "1.3"), "f.toml:5: ", "`gl_version` is not a string"},
+        {replaced("\"1.3\"", "\"7.3\""), "f.toml:5: ", "`gl_version` is not a version"},
+        {replaced("name = \"mine\"", ""), "f.toml:1: ", "`name` is missing"},
+        {replaced("[\"GL_HP_occlusion_test\"]", "\"GL_HP_occlusion_test\""), "f.toml:7: ", "is not a list"},
+        {replaced("GL_HP_occlusion_test", "GL_HP_oclusion_test"), "f.toml:7: ", "cannot be emulated"},
+        {replaced("\"GL_ARB_occlusion_query\"", "17"), "f.toml:8: ", "something other than an extension name"},
+        {replaced("counter_bits = 24", "counter_bits = 65"), "f.toml:10: ", "from 1 to 64"},
+        {replaced("[query]", "query = 3"), "f.toml:", ""},
+        {replaced("[query]", "[query"), "f.toml:9: ", ""},
+    };
+    for (const Row& row : rows) {
+        const DeviceOrError result = parse_device(row.text, "f.toml");
+        EXPECT_FALSE(result.device) << row.text;
+        EXPECT_TRUE(result.error.starts_with(row.begins)) << result.error;
+        EXPECT_NE(result.error.find(row.holds), std::string::npos) << result.error;
+        EXPECT_TRUE(result.error.ends_with(".")) << result.error;
+    }
+}
+
+TEST(Device, every_built_in_device_is_good_and_has_its_own_name) {
+    EXPECT_GE(builtin_device_names().size(), 4u);
+    for (const std::string_view name : builtin_device_names()) {
+        const DeviceOrError result = load_device(name);
+        ASSERT_TRUE(result.device) << result.error;
+        EXPECT_EQ(result.device->name, name);
+        EXPECT_FALSE(result.device->source.empty());
+    }
+}
+
+TEST(Device, the_driver_as_it_is_is_a_pass_through) {
+    EXPECT_TRUE(load_device("native").device->is_pass_through());
+    EXPECT_TRUE(load_device("mesa").device->is_pass_through());
+    EXPECT_FALSE(load_device("visualize-fx").device->is_pass_through());
+}
+
+TEST(Device, what_is_not_there_is_told) {
+    EXPECT_NE(load_device("voodoo").error.find("visualize-fx"), std::string::npos);
+    EXPECT_NE(load_device("/no/such.toml").error.find("cannot be opened"), std::string::npos);
+    EXPECT_NE(load_device("/").error.find("cannot be"), std::string::npos);
+}
+
+// Hostile files: any damage to a good file gives a device or a sentence, never a crash.
+TEST(Device, a_damaged_file_never_crashes) {
+    std::mt19937 random(20040601);
+    for (int round = 0; round < 20'000; ++round) {
+        std::string text(kGood);
+        const int damages = 1 + static_cast<int>(random() % 6);
+        for (int d = 0; d < damages && !text.empty(); ++d) {
+            const std::size_t at = random() % text.size();
+            switch (random() % 4) {
+                case 0:
+                    text[at] = static_cast<char>(random());
+                    break;
+                case 1:
+                    text.erase(at, random() % 16);
+                    break;
+                case 2:
+                    text.insert(at, text.substr(random() % text.size(), random() % 64));
+                    break;
+                default:
+                    text.resize(at);
+            }
+        }
+        const DeviceOrError result = parse_device(text, "f.toml");
+        EXPECT_NE(result.device.has_value(), !result.error.empty());
+    }
+}
+
+TEST(Device, deep_nesting_never_crashes) {
+    for (const char bracket : {'[', '{'}) {
+        const DeviceOrError result = parse_device("name = " + std::string(200'000, bracket), "f.toml");
+        EXPECT_FALSE(result.device);
+    }
+}
+
+}  // namespace
+}  // namespace glext_emu

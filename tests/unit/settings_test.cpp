@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "context/settings.h"
+
+#include <gtest/gtest.h>
+
+namespace glext_emu {
+namespace {
+
+using occlusion_unit::ClockKind;
+
+TEST(Settings, unset_means_that_the_layer_steps_aside) {
+    for (const char* text : {static_cast<const char*>(nullptr), "", "device=native", "device=native,clock=none"}) {
+        const SettingsOrError result = parse_settings(text);
+        EXPECT_EQ(result.error, "");
+        EXPECT_TRUE(result.settings.steps_aside());
+    }
+}
+
+TEST(Settings, zero_switches_all_off) {
+    EXPECT_TRUE(parse_settings("0").settings.off);
+    EXPECT_TRUE(parse_settings("0").settings.steps_aside());
+}
+
+TEST(Settings, a_device_a_clock_or_a_report_keeps_the_layer_in) {
+    for (const char* text : {"device=mesa", "clock=wall=5", "clock=calls=0", "report=/tmp/r.json"}) {
+        const SettingsOrError result = parse_settings(text);
+        EXPECT_EQ(result.error, "");
+        EXPECT_FALSE(result.settings.steps_aside()) << text;
+    }
+}
+
+TEST(Settings, all_keys_are_read) {
+    const SettingsOrError result = parse_settings("device=visualize-fx,clock=frames=2,report=/tmp/a=b.json");
+    EXPECT_EQ(result.error, "");
+    EXPECT_EQ(result.settings.device.name, "visualize-fx");
+    EXPECT_EQ(result.settings.latency.kind, ClockKind::kFrames);
+    EXPECT_EQ(result.settings.latency.amount, 2u);
+    EXPECT_EQ(result.settings.report_path, "/tmp/a=b.json");
+}
+
+TEST(Settings, what_is_wrong_is_told_in_one_sentence) {
+    EXPECT_NE(parse_settings("clock=soon").error.find("is not a clock, expected none"), std::string::npos);
+    EXPECT_NE(parse_settings("dveice=mesa").error.find("is not a setting, expected device="), std::string::npos);
+    EXPECT_NE(parse_settings("mesa").error.find("is not a setting"), std::string::npos);
+    EXPECT_NE(parse_settings("device=voodoo").error.find("no device `voodoo`"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace glext_emu
