@@ -73,7 +73,7 @@ def run(document, build, root=ROOT):
 
 def main(document, build):
     if not os.environ.get("DISPLAY"):  # programs of the documents open windows
-        os.execvp("xvfb-run", ["xvfb-run", "--auto-servernum", sys.executable, *sys.argv])
+        os.execvp("xvfb-run", ["xvfb-run", "--auto-servernum", "--server-args=-noreset", sys.executable, *sys.argv])
     faults, count = run(document.resolve(), build.resolve())
     print("\n".join(faults))
     print(f"{document.name}: {count} blocks, {len(faults)} faults")
