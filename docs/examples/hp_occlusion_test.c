@@ -5,7 +5,7 @@
 #include <SDL2/SDL.h>
 
 static void test(const char* name, float z) {
-    GLboolean is_visible;
+    GLboolean is_visible = GL_FALSE;
     glLoadIdentity(), glTranslatef(0, 0, z), glRectf(-0.5f, -0.5f, 0.5f, 0.5f);
     glGetBooleanv(GL_OCCLUSION_TEST_RESULT_HP, &is_visible);
     printf("%s the wall: %s\n", name, is_visible ? "visible" : "occluded");

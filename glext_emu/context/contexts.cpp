@@ -116,12 +116,18 @@ void context_created(const char* platform, const RealGl& real, const void* handl
     release(std::exchange(entry, made));
 }
 
-void context_destroyed(const void* handle) {
+Context* forget_context(const void* handle) {
     const std::lock_guard lock(contexts().mutex);
-    const auto found = contexts().by_handle.find(handle);
-    if (found == contexts().by_handle.end()) return;
-    release(found->second);
-    contexts().by_handle.erase(found);
+    const auto node = contexts().by_handle.extract(handle);
+    return node.empty() ? nullptr : node.mapped();
+}
+
+void end_context(Context* ctx) { release(ctx); }
+
+void restore_context(const void* handle, Context* ctx) {
+    if (ctx == nullptr) return;
+    const std::lock_guard lock(contexts().mutex);
+    contexts().by_handle[handle] = ctx;
 }
 
 void context_leaves_thread() {

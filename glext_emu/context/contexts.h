@@ -9,7 +9,13 @@ namespace glext_emu {
 
 // <share> is the handle of a context to share with, or null.
 void context_created(const char* platform, const RealGl& real, const void* handle, const void* share);
-void context_destroyed(const void* handle);
+
+// Takes <handle> out before the driver destroys its context: from then on its value may be given to a new one. What is
+// returned goes to end_context, or back where the driver refused.
+Context* forget_context(const void* handle);
+void end_context(Context* ctx);
+void restore_context(const void* handle, Context* ctx);
+
 // The thread's context may leave it, by MakeCurrent, ReleaseThread or Terminate: called before the driver is.
 void context_leaves_thread();
 // The driver has made <handle> current in this thread; null: none. An unknown handle (a context made before the layer

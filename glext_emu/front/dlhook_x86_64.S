@@ -51,14 +51,13 @@ seam_dlopen_old:
     .cfi_adjust_cfa_offset 8
     sub $8, %rsp
     .cfi_adjust_cfa_offset 8
-    call seam_open_flags            /* the flags to open with */
+    call seam_before_dlopen
     add $8, %rsp
     .cfi_adjust_cfa_offset -8
     pop %rsi
     .cfi_adjust_cfa_offset -8
     pop %rdi
     .cfi_adjust_cfa_offset -8
-    mov %eax, %esi
     mov seam_next_dlopen(%rip), %rax
     jmp *%rax
     .cfi_endproc

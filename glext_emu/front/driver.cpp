@@ -15,7 +15,7 @@
 
 namespace glext_emu {
 
-bool deepbind_was_cleared = false;
+bool gl_was_loaded_ahead = false;
 
 namespace {
 
@@ -49,7 +49,7 @@ void take_driver(int index, GetProcAddress real) {
     load_real_gl(driver.real, real);
     if (default_real.glGetError == nullptr) default_real = driver.real;
     doctor_note(driver.is_glx ? "hooked GLX" : "hooked EGL");
-    if (deepbind_was_cleared) doctor_note("cleared RTLD_DEEPBIND");
+    if (gl_was_loaded_ahead) doctor_note("GL was loaded ahead of a library that asked for RTLD_DEEPBIND");
 }
 
 // The imports have callbacks without a user pointer, so each driver has functions of its own.

@@ -12,8 +12,8 @@ namespace glext_emu {
 void* wrap_glx_main(void* real);
 void* wrap_egl_main(void* real);
 
-// A GL library was asked for with RTLD_DEEPBIND and opened without.
-extern bool deepbind_was_cleared;
+// A library was opened with RTLD_DEEPBIND, so the GL libraries were loaded before it.
+extern bool gl_was_loaded_ahead;
 
 // More drivers than this are loaded into no process: a GLX and an EGL vendor, and once more after a dlclose.
 inline constexpr int kMostDrivers = 8;

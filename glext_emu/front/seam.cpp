@@ -2,9 +2,11 @@
 // The seam front end: libGLX and libEGL load their driver through dlsym(h, "__glx_Main") and "__egl_Main" and take every
 // GL and window-system function from it. Answering these two names puts the layer below all GL libraries.
 //
-// seam_symbol and seam_open_flags run inside every dlsym and dlopen of the process, some of them before libc or a
+// seam_symbol and seam_before_dlopen run inside every dlsym and dlopen of the process, some of them before libc or a
 // sanitizer is ready: no libc calls here but dlvsym, no instrumentation, no static that needs a guard.
 #include <dlfcn.h>
+
+#include <atomic>
 
 #include "front/driver.h"
 
@@ -19,7 +21,7 @@ __attribute__((visibility("hidden"))) DlSym seam_next_dlsym = nullptr;
 __attribute__((visibility("hidden"))) DlOpen seam_next_dlopen = nullptr;
 
 FREESTANDING void* seam_symbol(void* library, const char* name);
-FREESTANDING int seam_open_flags(const char* file, int flags);
+FREESTANDING void seam_before_dlopen(const char* file, int flags);
 }
 
 namespace {
@@ -32,14 +34,6 @@ FREESTANDING bool equals(const char* a, const char* b) {
     return *a == *b;
 }
 
-FREESTANDING bool starts_with(const char* text, const char* prefix) {
-    while (*prefix != '\0' && *text == *prefix) {
-        ++text;
-        ++prefix;
-    }
-    return *prefix == '\0';
-}
-
 // libc's own dlsym is found by version; through it the next interposer's, so that the chain stays whole.
 FREESTANDING void find_next() {
     if (seam_next_dlsym != nullptr) return;
@@ -50,13 +44,15 @@ FREESTANDING void find_next() {
     seam_next_dlsym = next != nullptr ? next : libc_dlsym;
 }
 
-// libGL.so.1, libGLX.so.0, libOpenGL.so.0, libEGL.so.1, libGLESv2.so.2 and their like.
-FREESTANDING bool is_gl_library(const char* file) {
-    const char* base = file;
-    for (const char* c = file; *c != '\0'; ++c) {
-        if (*c == '/') base = c + 1;
+// With RTLD_DEEPBIND a library, and whatever it pulls in, finds libc's dlsym before ours: libGLX or libEGL loaded that way
+// would escape the layer. Loaded before, and without the flag, they bind to ours; the program's flag stays as it is.
+void load_gl_ahead() {
+    static std::atomic<bool> is_done{false};
+    if (is_done.exchange(true)) return;
+    for (const char* library : {"libGLX.so.0", "libEGL.so.1"}) {
+        if (seam_next_dlopen(library, RTLD_LAZY | RTLD_LOCAL) == nullptr) dlerror();
     }
-    return starts_with(base, "libGL") || starts_with(base, "libEGL") || starts_with(base, "libOpenGL");
+    glext_emu::gl_was_loaded_ahead = true;
 }
 
 }  // namespace
@@ -71,10 +67,7 @@ void* seam_symbol(void* library, const char* name) {
     return is_glx ? glext_emu::wrap_glx_main(real) : glext_emu::wrap_egl_main(real);
 }
 
-// With RTLD_DEEPBIND a GL library finds libc's dlsym before ours, and its driver would escape the layer.
-int seam_open_flags(const char* file, int flags) {
+void seam_before_dlopen(const char* file, int flags) {
     find_next();
-    if ((flags & RTLD_DEEPBIND) == 0 || file == nullptr || !is_gl_library(file)) return flags;
-    glext_emu::deepbind_was_cleared = true;
-    return flags & ~RTLD_DEEPBIND;
+    if ((flags & RTLD_DEEPBIND) != 0 && file != nullptr) load_gl_ahead();
 }

@@ -36,8 +36,13 @@ struct Hooks {
         return context;
     }
     static EGLBoolean destroy(EGLDisplay display, EGLContext context) {
+        Context* const forgotten = forget_context(context);
         const EGLBoolean done = real().destroy(display, context);
-        if (done) context_destroyed(context);
+        if (done) {
+            end_context(forgotten);
+        } else {
+            restore_context(context, forgotten);
+        }
         return done;
     }
     static EGLBoolean make_current(EGLDisplay display, EGLSurface draw, EGLSurface read, EGLContext context) {

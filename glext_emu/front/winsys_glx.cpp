@@ -58,8 +58,9 @@ struct Hooks {
         return created(real().create_attribs(display, config, share, direct, obedient.data()), share, direct);
     }
     static void destroy(Display* display, GLXContext context) {
-        context_destroyed(context);
+        Context* const forgotten = forget_context(context);
         real().destroy(display, context);
+        end_context(forgotten);
     }
     static void copy(Display* display, GLXContext from, GLXContext to, unsigned long mask) {
         real().copy(display, from, to, mask);

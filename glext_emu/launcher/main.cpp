@@ -63,7 +63,13 @@ int main(int argc, char** argv) {
         return 2;
     }
     CLI::App* const command = app.get_subcommands().front();
-    if (program.empty()) program = command->remaining();
+    if (dashes == argv + argc) {
+        program = command->remaining();
+    } else if (command->remaining_size() != 0) {
+        fmt::print(stderr, "glext-emu: `{}` is not an option; `glext-emu {} --help` shows the use.\n",
+                   command->remaining().front(), command->get_name());
+        return 2;
+    }
     try {
         if (*run_command) {
             options.program = std::move(program);
