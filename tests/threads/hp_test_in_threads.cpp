@@ -148,7 +148,7 @@ TEST(hp_test_in_threads, a_context_has_its_own_state_while_other_threads_create_
     std::vector<int> unclean(2, 0);
     std::vector<int> forgotten(2, 0);
     const auto work = [&](std::size_t index) {
-        for (int round = 0; round < 100; ++round) {
+        for (int round = 0; round < 40; ++round) {
             ThreadContext context;
             context.make_current();
             if (!state_is_initial()) ++unclean[index];
