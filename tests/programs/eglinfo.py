@@ -36,15 +36,16 @@ class Eglinfo(unittest.TestCase):
         bare, runs = self.same_on_every_device(["es2_info"])
         self.assertIn("GL_EXT_occlusion_query_boolean", bare.output)
         for run in runs:
-            self.assertEqual([context["platform"] for context in run.report.contexts("es2_info")], ["egl"])
+            contexts = run.layers_report().contexts("es2_info")
+            self.assertEqual([context["platform"] for context in contexts], ["egl"])
 
     def test_the_linker_binds_libegl_to_the_layer_only_where_it_is_preloaded(self):
         for layer in (False, True):
             with self.subTest(layer=layer), tempfile.TemporaryDirectory() as folder:
                 under_layer.run(["eglinfo"], layer=layer, device="mesa",
                                 environment={"LD_DEBUG": "bindings", "LD_DEBUG_OUTPUT": f"{folder}/log"})
-                bindings = [line for log in pathlib.Path(folder).iterdir() for line in log.read_text().splitlines()
-                            if "libEGL.so" in line and "`dlsym'" in line]
+                lines = [line for log in pathlib.Path(folder).iterdir() for line in log.read_text().splitlines()]
+                bindings = [line for line in lines if "libEGL.so" in line and "`dlsym'" in line]
                 self.assertTrue(bindings)
                 self.assertEqual(any("libglext_emu.so" in line for line in bindings), layer)
 

@@ -31,7 +31,7 @@ class Glmark2(unittest.TestCase):
                     run = under_layer.run([program, *SCENE, *options], device="mesa", clock=clock)
                     self.assertEqual((what_it_says(run), run.errors, run.status),
                                      (what_it_says(bare), bare.errors, bare.status))
-                    self.reports_the_scene(run.report, program, on_screen=not options)
+                    self.reports_the_scene(run.layers_report(), program, on_screen=not options)
 
     def reports_the_scene(self, report, program, on_screen):
         self.assertTrue(report.contexts(program))
@@ -56,7 +56,7 @@ class Glmark2(unittest.TestCase):
         self.assertRegex(desktop.output + desktop.errors, r"needs OpenGL\(ES\) version >= 2\.0 .* is: '1\.5")
         es = under_layer.run(["glmark2-es2", *SCENE], device="geforce-fx-5950")
         self.assertEqual(es.status, 0, es.output)
-        self.reports_the_scene(es.report, "glmark2-es2", on_screen=True)
+        self.reports_the_scene(es.layers_report(), "glmark2-es2", on_screen=True)
 
 
 if __name__ == "__main__":

@@ -46,7 +46,7 @@ class Glxgears(unittest.TestCase):
                     run, pictures = turn(True, device, clock)
                     self.assertEqual((run.status, run.errors), (self.bare.status, self.bare.errors))
                     self.assertNotEqual(*pictures)
-                    self.reports_frames_but_no_query(run.report)
+                    self.reports_frames_but_no_query(run.layers_report())
 
     def reports_frames_but_no_query(self, report):
         self.assertEqual(len(report.contexts("glxgears")), 1)
@@ -60,7 +60,7 @@ class Glxgears(unittest.TestCase):
         for device in (None, "mesa"):
             with self.subTest(device=device):
                 run, _ = turn(device=device)
-                self.assertTrue(run.report.contexts("glxgears"))
+                self.assertTrue(run.layers_report().contexts("glxgears"))
                 self.assertEqual(what_it_says(run), what_it_says(self.bare))
 
     def test_the_report_is_valid_while_the_program_runs(self):

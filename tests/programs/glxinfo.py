@@ -41,7 +41,7 @@ class Glxinfo(unittest.TestCase):
             for clock in (None, "wall=50"):
                 with self.subTest(device=device, clock=clock):
                     run = under_layer.run(COMMAND, device=device, clock=clock)
-                    self.assertTrue(run.report.contexts("glxinfo"))
+                    self.assertTrue(run.layers_report().contexts("glxinfo"))
                     self.assertEqual((run.output, run.errors, run.status),
                                      (self.bare.output, self.bare.errors, self.bare.status))
 

@@ -5,7 +5,6 @@ The layer is named by the environment variable GLEXT_EMU_LAYER, an LD_PRELOAD va
 only, never under this interpreter. A run without the layer keeps the settings (GLEXT_EMU=...,report=FILE) and
 loses the preload: what appears only with it was done by the layer.
 """
-import collections
 import dataclasses
 import json
 import os
@@ -38,20 +37,22 @@ class Report:
     def total(self, field):
         return sum(frame[field] for frame in self.frames())
 
-    def draws_of_frames(self):
-        """How many frames had how many draws: {draws: frames}."""
-        return collections.Counter(frame["draws"] for frame in self.frames())
-
 
 @dataclasses.dataclass
 class Run:
-    """What a program left behind: status negative where a signal ended it, report None where no file was written."""
+    """What a program left behind. Status is negative where a signal ended it, report None where none was written."""
 
     output: str
     errors: str
     status: int
     seconds: float
     report: Report | None
+
+    def layers_report(self):
+        """The report that a run under the layer has to have left."""
+        if self.report is None:
+            raise AssertionError(f"the layer was not under the program: no report\n{self.output}{self.errors}")
+        return self.report
 
 
 class Program:
@@ -64,7 +65,8 @@ class Program:
         child.pop("LD_PRELOAD", None)
         child.setdefault("XDG_RUNTIME_DIR", self.folder.name)
         settings = {"device": device, "clock": clock, "report": self.report_path}
-        child["GLEXT_EMU"] = ",".join(f"{key}={value}" for key, value in settings.items() if value is not None)
+        given = [f"{key}={value}" for key, value in settings.items() if value is not None]
+        child["GLEXT_EMU"] = ",".join(given)
         if layer:
             child["LD_PRELOAD"] = os.environ["GLEXT_EMU_LAYER"]
         self.output = tempfile.TemporaryFile("w+", dir=self.folder.name)

@@ -38,16 +38,16 @@ class VtkDepthPeeling(unittest.TestCase):
                 self.assertEqual((run.output, run.errors, run.status),
                                  (self.bare.output, self.bare.errors, self.bare.status))
                 self.assertEqual(picture, self.bare_picture)
-                queries.add(run.report.total("queries_begun"))
-                self.assertGreaterEqual(len(run.report.frames()), FRAMES)
-                self.assertGreater(run.report.total("waits"), 0)
+                queries.add(run.layers_report().total("queries_begun"))
+                self.assertGreaterEqual(len(run.layers_report().frames()), FRAMES)
+                self.assertGreater(run.layers_report().total("waits"), 0)
         self.assertEqual(len(queries), 1, queries)
         self.assertGreaterEqual(queries.pop(), 2 * FRAMES)  # five balls: ten surfaces behind each other
 
     def test_latency_shows_as_stalled_time_at_every_wait(self):
         run, _ = self.peel(device="mesa", clock=f"wall={LATENCY_US}")
-        waits, stall_ms = run.report.total("waits"), run.report.total("stall_ms")
-        self.assertEqual(waits, run.report.total("queries_begun"))
+        waits, stall_ms = run.layers_report().total("waits"), run.layers_report().total("stall_ms")
+        self.assertEqual(waits, run.layers_report().total("queries_begun"))
         # VTK reads a result at once after the query's end: what it does between is far less than half the latency.
         self.assertGreater(stall_ms, 0.5 * waits * LATENCY_US / 1000)
         self.assertGreater(run.seconds, stall_ms / 1000)
