@@ -12,14 +12,22 @@ class Ideal final : public Culler {
 
     void prepare(Frame& frame) override {
         finder_->draw(frame);
-        recorded_[frame.index] = frame.drawn;
+        recorded_[frame.index] = {frame.drawn, frame.classes};
     }
 
-    void draw(Frame& frame) override { frame.draw(recorded_.at(frame.index)); }
+    void draw(Frame& frame) override {
+        const Record& record = recorded_.at(frame.index);
+        frame.classes = record.classes;
+        frame.draw(record.drawn);
+    }
 
   private:
+    struct Record {
+        std::vector<ObjectId> drawn;
+        std::vector<NodeClass> classes;
+    };
     std::unique_ptr<Culler> finder_;
-    std::map<int, std::vector<ObjectId>> recorded_;
+    std::map<int, Record> recorded_;
 };
 
 }  // namespace

@@ -42,6 +42,19 @@ class Renderer {
     void use_proxies();
     void draw_proxy(const Box& box);
 
+    /// What a picture shows besides the scene. Two corners to a line, three to a triangle; world metres, RGBA
+    /// in 0..1. Blended over what is there, hidden by what is nearer unless `on_top`, and no depth is
+    /// written.
+    struct Shapes {
+        std::vector<glm::vec3> corners;
+        std::vector<glm::vec4> colours;
+        void add_line(const glm::vec3& from, const glm::vec3& to, const glm::vec4& colour);
+        void add_quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d,
+                      const glm::vec4& colour);
+    };
+    void draw_lines(const Shapes& shapes, float width_pixels, bool on_top);
+    void draw_triangles(const Shapes& shapes, bool on_top);
+
     void finish();
 
     /// RGBA of the whole view, bottom row first.
@@ -55,6 +68,7 @@ class Renderer {
 
     void use_objects(Mode mode);
     void draw_run(std::uint32_t first_index, std::uint32_t count);
+    void draw_shapes(unsigned primitive, const Shapes& shapes, bool on_top);
 
     const Scene& scene_;
     bool has_buffers_ = false;

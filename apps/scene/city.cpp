@@ -199,20 +199,25 @@ void add_block(MeshBuilder& mesh, Random random, int column, int row, std::uint3
     plant_court(mesh, random, slab, end - mesh.triangles_so_far());
 }
 
-/// 8 triangles: fields around the city, so that it does not end in the void.
-void add_outskirts(MeshBuilder& mesh, float size) {
-    const float in = -kRoadMetres / 2;
-    const float out = in - 250;
-    const float far_in = size - in;
-    const float far_out = size - out;
-    add_ground(mesh, {out, out}, {far_out, in}, 0, kGrass);
-    mesh.finish();
-    add_ground(mesh, {out, far_in}, {far_out, far_out}, 0, kGrass);
-    mesh.finish();
-    add_ground(mesh, {out, in}, {in, far_in}, 0, kGrass);
-    mesh.finish();
-    add_ground(mesh, {far_in, in}, {far_out, far_in}, 0, kGrass);
-    mesh.finish();
+/// Fields around the city, so that it does not end in the void: 4 * side + 4 objects of 2 triangles.
+void add_outskirts(MeshBuilder& mesh, int side) {
+    constexpr float kWidth = 60;
+    const float low = -kRoadMetres / 2;
+    const float high = static_cast<float>(side) * city::kPitchMetres - low;
+    const auto add_field = [&](glm::vec2 a, glm::vec2 b) {
+        add_ground(mesh, a, b, 0, kGrass);
+        mesh.finish();
+    };
+    for (int piece = 0; piece < side; ++piece) {
+        const float from = piece == 0 ? low : static_cast<float>(piece) * city::kPitchMetres;
+        const float to = piece + 1 == side ? high : static_cast<float>(piece + 1) * city::kPitchMetres;
+        add_field({from, low - kWidth}, {to, low});
+        add_field({from, high}, {to, high + kWidth});
+        add_field({low - kWidth, from}, {low, to});
+        add_field({high, from}, {high + kWidth, to});
+    }
+    for (const float x : {low - kWidth, high})
+        for (const float y : {low - kWidth, high}) add_field({x, y}, {x + kWidth, y + kWidth});
 }
 
 }  // namespace
@@ -234,7 +239,7 @@ Scene build_chc_city(double scale, std::uint64_t seed) {
             all_shares += shares.back();
         }
     MeshBuilder mesh(scene);
-    add_outskirts(mesh, static_cast<float>(side) * city::kPitchMetres);
+    add_outskirts(mesh, side);
     double share = 0;
     for (int row = 0; row < side; ++row)
         for (int column = 0; column < side; ++column) {

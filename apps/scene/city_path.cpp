@@ -11,8 +11,11 @@ namespace {
 
 constexpr float kCornerMetres = 5;  // the crossing is 12 m wide: the rounded corner stays inside
 constexpr float kLookAheadMetres = 14;
-constexpr float kRoofHeightMetres = 40;
+constexpr float kRoofHeightMetres = 43;
 constexpr int kKeys = 2000;
+// With the height above, the mean shares of the paper's walk: 15.1 % of the triangles in the frustum, 19.5 %
+// of those drawn.
+constexpr float kViewDegrees = 43;
 
 /// Crossings as shares of the city's side.
 constexpr glm::vec2 kCrossings[] = {{0.22F, 0.11F}, {0.22F, 0.44F}, {0.55F, 0.44F}, {0.55F, 0.22F},
@@ -78,7 +81,7 @@ CameraPath walk(int side) {
         const float height = kEyeMetres + kRoofHeightMetres * up;
         keys.push_back({at, {eye, height}, {ahead, height - 4 * up}});
     }
-    return {std::move(keys), Lens{}};
+    return {std::move(keys), Lens{kViewDegrees, 0.3F, 2000}};
 }
 
 }  // namespace apps::city

@@ -9,8 +9,8 @@ namespace {
 
 // Towards the sun, unit length within float rounding.
 const glm::vec3 kSun = glm::normalize(glm::vec3(0.48F, -0.62F, 0.72F));
-constexpr glm::vec3 kSunColour{0.74F, 0.68F, 0.56F};
-constexpr glm::vec3 kSkyColour{0.44F, 0.50F, 0.60F};
+constexpr glm::vec3 kSunColour{0.92F, 0.84F, 0.68F};
+constexpr glm::vec3 kSkyColour{0.58F, 0.63F, 0.71F};
 
 glm::u8vec4 lit(const glm::vec3& position, const glm::vec3& normal, const Albedo& albedo) {
     const float sun = std::max(0.0F, glm::dot(normal, kSun));

@@ -49,6 +49,8 @@ int run(const apps::Options& options) {
     apps::Walk walk(world, options);
     const std::vector<FrameRecord> frames = walk.run();
 
+    if (!options.images.empty()) walk.save_images();
+
     const auto lines = apps::frame_lines(frames);
     const auto summary = apps::summary_of(lines, baseline, walk.facts());
     if (!options.json.empty()) apps::write_report(options.json, lines, summary);

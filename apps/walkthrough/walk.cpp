@@ -10,6 +10,7 @@
 #include "apps/oracle/oracle_cache.h"
 #include "apps/report/progress_bar.h"
 #include "apps/scene/scenes.h"
+#include "apps/walkthrough/pictures.h"
 
 namespace apps {
 namespace {
@@ -128,6 +129,16 @@ void Walk::judge(std::vector<FrameRecord>& frames) {
         frames[index].verdict = oracle.judge(v, *truth, frames[index].drawn);
     }
     if (!options_.oracle_cache.empty()) cache.save();
+}
+
+void Walk::save_images() {
+    const View v = view(options_.image_frame);
+    GlCanvas canvas(*renderer_, test_.get());
+    Frame frame(options_.image_frame, world_.scene, world_.tree, v, canvas);
+    renderer_->set_matrices(v.modelview, v.projection, v.width, v.height);
+    renderer_->clear(kSky);
+    culler_->draw(frame);
+    save_pictures(*renderer_, frame, options_.images);
 }
 
 nlohmann::ordered_json Walk::facts() const {

@@ -26,6 +26,9 @@ class Walk {
 
     View view(int frame) const;
 
+    /// Draws the frame of --image-frame once more and writes its pictures into --images.
+    void save_images();
+
     /// The scene, the machine and the settings, for the summary.
     nlohmann::ordered_json facts() const;
 

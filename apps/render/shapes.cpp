@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Lines and translucent faces for pictures; never part of a timed frame.
+#include <GL/gl.h>
+
+#include "apps/render/renderer.h"
+
+namespace apps {
+
+void Renderer::Shapes::add_line(const glm::vec3& from, const glm::vec3& to, const glm::vec4& colour) {
+    corners.insert(corners.end(), {from, to});
+    colours.insert(colours.end(), 2, colour);
+}
+
+void Renderer::Shapes::add_quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c,
+                                const glm::vec3& d, const glm::vec4& colour) {
+    corners.insert(corners.end(), {a, b, c, a, c, d});
+    colours.insert(colours.end(), 6, colour);
+}
+
+void Renderer::draw_shapes(unsigned primitive, const Shapes& shapes, bool on_top) {
+    use_proxies();  // the arrays are in the client's memory
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    if (on_top) glDisable(GL_DEPTH_TEST);
+    glVertexPointer(3, GL_FLOAT, 0, shapes.corners.data());
+    glColorPointer(4, GL_FLOAT, 0, shapes.colours.data());
+    glDrawArrays(primitive, 0, static_cast<GLsizei>(shapes.corners.size()));
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    use_objects(Mode::kForwards);
+}
+
+void Renderer::draw_lines(const Shapes& shapes, float width_pixels, bool on_top) {
+    glLineWidth(width_pixels);
+    draw_shapes(GL_LINES, shapes, on_top);
+}
+
+void Renderer::draw_triangles(const Shapes& shapes, bool on_top) {
+    draw_shapes(GL_TRIANGLES, shapes, on_top);
+}
+
+}  // namespace apps
