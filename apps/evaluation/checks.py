@@ -104,7 +104,8 @@ def ideal_draws_what_waiting_draws(measured):
 def client_and_layer_count_alike(measured):
     faults, count = [], 0
     for configuration, one in passes_of(measured):
-        if configuration.culler == BOUND:  # its recording asks too, outside the counted part of the frame
+        # The recording of ideal asks as well, outside the counted part of the frame; judging draws on its own.
+        if configuration.culler == BOUND or not one.layer_frames:
             continue
         count += 1
         client, layer = sum(column(one, "queries")), sum(f["queries_begun"] for f in one.layer_frames)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """From passes to the rows of the table, and to the CSV.
 
-Counts are means per frame of the judged pass, times come from the timed passes: of every frame the median
+Counts are means per frame of the judged pass (the layer's: of the first timed one), times come from the timed passes: of every frame the median
 over the rounds, and of those the mean (what the CHC paper prints) and the median over the path.
 """
 import csv
@@ -69,7 +69,7 @@ def layer_stall_ms(timed):
 def row_of(configuration, measured, baseline):
     """`baseline`: the measured frustum culling of the same device, or None if that run failed."""
     frames = measured.judged.frames
-    layer = measured.judged.layer_frames
+    layer = measured.timed[0].layer_frames
     times = frame_times_ms(measured)
     of_rounds = [mean_of(one.frames, "frame_ms") for one in measured.timed]
     asks = configuration.queries

@@ -31,7 +31,7 @@ class Settings:
 
 @dataclass
 class Pass:
-    """What one run wrote: per frame the client's record and, of the same frames, the layer's."""
+    """What one run wrote: per frame the client's record and, of a timed run, the layer's of the same frames."""
 
     frames: list
     summary: dict
@@ -77,7 +77,10 @@ def read_client(path):
 
 
 def read_layer(path, frame_count):
-    """The layer's records of the last `frame_count` frames: those before them are the client's warm-up."""
+    """The layer's records of the last `frame_count` frames of a timed run: before them is the client's warm-up.
+
+    A judged run goes on to draw after its last frame, so its records are kept on disk only.
+    """
     records = json.loads(path.read_text())["records"]
     frames = [record for record in records if record["kind"] == "frame"]
     if len(frames) < frame_count:
@@ -104,7 +107,7 @@ def run_pass(configuration, settings, pass_name, extra=()):
         raise RunFailed(f"{configuration.name}, {pass_name}: exit status {done.returncode}: {said}")
     try:
         frames, summary = read_client(Path(f"{stem}.jsonl"))
-        layer_frames = read_layer(Path(f"{stem}.layer.json"), len(frames))
+        layer_frames = [] if "--oracle" in extra else read_layer(Path(f"{stem}.layer.json"), len(frames))
     except (OSError, KeyError, json.JSONDecodeError) as error:
         raise RunFailed(f"{configuration.name}, {pass_name}: unreadable result: {error}; {said}") from None
     except RunFailed as error:

@@ -109,7 +109,7 @@ class Checks(unittest.TestCase):
         late = Configuration(DEVICE, "stop-and-wait", 500)
         ideal = Configuration(DEVICE, "ideal")
         uncounted = measured_once((6.0, 6.0))
-        uncounted.judged.layer_frames[1]["queries_begun"] = 9
+        uncounted.timed[0].layer_frames[1]["queries_begun"] = 9
         restless = Measured(one_pass((6.0, 6.0)), [one_pass((6.0, 6.0), drawn_triangles=31)])
         for configuration, value, words in (
             (late, measured_once((6.0, 6.0), false_culls=1), "Nothing visible is culled"),
