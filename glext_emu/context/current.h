@@ -20,7 +20,7 @@ struct Current {
 // Initial-exec: one load relative to the thread pointer, no call.
 extern thread_local constinit Current current __attribute__((tls_model("initial-exec")));
 
-// What a thread without a context of ours calls: the first driver that was loaded.
+// What a thread that never had a context of ours calls: the driver that was loaded last.
 extern RealGl default_real;
 
 // Counts the call where the clock runs on calls.

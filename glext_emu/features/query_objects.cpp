@@ -127,17 +127,17 @@ void query_counter(Context& ctx, GLuint id, GLenum target) {
 }
 
 void get_queryiv(Context& ctx, GLenum target, GLenum pname, GLint* params) {
-    if (ctx.inside_begin_end) return ctx.real->glGetQueryiv(target, pname, params);
-    if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
+    if (refuses_target(ctx, target) && !ctx.inside_begin_end) return ctx.raise(GL_INVALID_ENUM);
     if (!is_occlusion_target(target) || params == nullptr) return ctx.real->glGetQueryiv(target, pname, params);
 
+    constexpr GLint kUntouched = -7;  // no width and no name
+    GLint value = kUntouched;
+    ctx.real->glGetQueryiv(target, pname, &value);
+    if (value == kUntouched) return;  // in error
     const std::optional<int> bits = settings().device.counter_bits;
-    if (pname == GL_QUERY_COUNTER_BITS && target == GL_SAMPLES_PASSED && bits && driver_knows(ctx, target)) {
-        *params = *bits;
-        return;
-    }
-    ctx.real->glGetQueryiv(target, pname, params);
-    if (pname == GL_CURRENT_QUERY && ctx.slot.open_segment != 0) *params = 0;
+    if (pname == GL_QUERY_COUNTER_BITS && target == GL_SAMPLES_PASSED && bits) value = *bits;
+    if (pname == GL_CURRENT_QUERY && ctx.slot.open_segment != 0) value = 0;
+    *params = value;
 }
 
 void get_query_indexediv(Context& ctx, GLenum target, GLuint index, GLenum pname, GLint* params) {

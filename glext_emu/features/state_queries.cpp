@@ -8,15 +8,31 @@
 namespace glext_emu::features {
 namespace {
 
+// Asks the driver, so that an error is the driver's own; false where it raised one.
+template <class T>
+bool driver_answers(GLenum pname, void (*real)(GLenum, T*)) {
+    constexpr T kUntouched = static_cast<T>(-7);  // no count and no version
+    T value = kUntouched;
+    real(pname, &value);
+    return value != kUntouched;
+}
+
 struct Answer {
-    enum { kForward, kRefuse, kValue } kind = kForward;
+    enum {
+        kForward,  // the driver's
+        kRefuse,   // INVALID_ENUM
+        kOwn,      // state that the driver does not have
+        kInstead,  // of what the driver says
+    } kind = kForward;
     GLint value = 0;
 };
 
 Answer answer(Context& ctx, GLenum pname) {
-    if (ctx.emulates_test && pname == GL_OCCLUSION_TEST_HP) return {Answer::kValue, ctx.slot.test_enabled};
-    if (ctx.emulates_test && pname == GL_OCCLUSION_TEST_RESULT_HP) return {Answer::kValue, read_test_result(ctx)};
-
+    // GL 4.6 compatibility, 10.7.5: between Begin and End a Get is in error, which the driver raises.
+    if (ctx.emulates_test && !ctx.inside_begin_end) {
+        if (pname == GL_OCCLUSION_TEST_HP) return {Answer::kOwn, ctx.slot.test_enabled};
+        if (pname == GL_OCCLUSION_TEST_RESULT_HP) return {Answer::kOwn, read_test_result(ctx)};
+    }
     const Advertised& advertised = *ctx.advertised;
     const bool is_before_3_0 = advertised.version_differs && advertised.version < GlVersion{3, 0};
     switch (pname) {
@@ -25,12 +41,12 @@ Answer answer(Context& ctx, GLenum pname) {
             // These names, and the next three, came with OpenGL 3.0 and 3.2.
             if (is_before_3_0) return {Answer::kRefuse};
             if (!advertised.version_differs) return {};
-            return {Answer::kValue,
+            return {Answer::kInstead,
                     pname == GL_MAJOR_VERSION ? advertised.version.major : advertised.version.minor};
         case GL_NUM_EXTENSIONS:
             if (is_before_3_0) return {Answer::kRefuse};
             if (!advertised.extensions_differ) return {};
-            return {Answer::kValue, static_cast<GLint>(advertised.extensions.size())};
+            return {Answer::kInstead, static_cast<GLint>(advertised.extensions.size())};
         case GL_CONTEXT_FLAGS:
             return is_before_3_0 ? Answer{Answer::kRefuse} : Answer{};
         case GL_CONTEXT_PROFILE_MASK:
@@ -43,11 +59,10 @@ Answer answer(Context& ctx, GLenum pname) {
 
 template <class T>
 void get(Context& ctx, GLenum pname, T* params, void (*real)(GLenum, T*)) {
-    // GL 4.6 compatibility, 10.7.5: between Begin and End a Get is in error, which the driver raises.
-    if (ctx.inside_begin_end || params == nullptr) return real(pname, params);
-    const Answer found = answer(ctx, pname);
+    const Answer found = params == nullptr ? Answer{} : answer(ctx, pname);
     if (found.kind == Answer::kForward) return real(pname, params);
     if (found.kind == Answer::kRefuse) return ctx.raise(GL_INVALID_ENUM);
+    if (found.kind == Answer::kInstead && !driver_answers(pname, real)) return;
     if constexpr (std::is_same_v<T, GLboolean>) {
         *params = found.value != 0 ? GL_TRUE : GL_FALSE;
     } else {
@@ -74,21 +89,21 @@ void get_floatv(Context& ctx, GLenum pname, GLfloat* params) { get(ctx, pname, p
 void get_doublev(Context& ctx, GLenum pname, GLdouble* params) { get(ctx, pname, params, ctx.real->glGetDoublev); }
 
 const GLubyte* get_string(Context& ctx, GLenum name) {
-    if (ctx.inside_begin_end) return ctx.real->glGetString(name);
+    const GLubyte* const driver_string = ctx.real->glGetString(name);
+    if (driver_string == nullptr) return nullptr;  // in error
     const Advertised& advertised = *ctx.advertised;
     if (name == GL_VERSION && advertised.version_differs) return as_gl_string(advertised.version_string);
     if (name == GL_SHADING_LANGUAGE_VERSION && advertised.version_differs) {
         return as_gl_string(advertised.shading_language);
     }
     if (name == GL_EXTENSIONS && advertised.extensions_differ) return as_gl_string(advertised.extension_string);
-    return ctx.real->glGetString(name);
+    return driver_string;
 }
 
 const GLubyte* get_stringi(Context& ctx, GLenum name, GLuint index) {
     const Advertised& advertised = *ctx.advertised;
-    if (ctx.inside_begin_end || name != GL_EXTENSIONS || !advertised.extensions_differ) {
-        return ctx.real->glGetStringi(name, index);
-    }
+    if (name != GL_EXTENSIONS || !advertised.extensions_differ) return ctx.real->glGetStringi(name, index);
+    if (ctx.real->glGetStringi(name, 0) == nullptr) return nullptr;  // in error
     // GL 4.6, 22.2: an index outside the list.
     if (index >= advertised.extensions.size()) {
         ctx.raise(GL_INVALID_VALUE);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "front/driver.h"
 
+#include <dlfcn.h>
 #include <glvnd/libeglabi.h>
 #include <glvnd/libglxabi.h>
 
+#include <algorithm>
 #include <array>
 #include <mutex>
 #include <utility>
@@ -47,7 +49,7 @@ void take_driver(int index, GetProcAddress real) {
     Driver& driver = drivers[static_cast<std::size_t>(index)];
     driver.get_proc_address = real;
     load_real_gl(driver.real, real);
-    if (default_real.glGetError == nullptr) default_real = driver.real;
+    default_real = driver.real;
     doctor_note(driver.is_glx ? "hooked GLX" : "hooked EGL");
     if (gl_was_loaded_ahead) doctor_note("GL was loaded ahead of a library that asked for RTLD_DEEPBIND");
 }
@@ -95,17 +97,28 @@ constexpr auto make_egl_mains(std::integer_sequence<int, kIndices...>) {
 constexpr auto kGlxMains = make_glx_mains(std::make_integer_sequence<int, kMostDrivers>{});
 constexpr auto kEglMains = make_egl_mains(std::make_integer_sequence<int, kMostDrivers>{});
 
-// The place of a driver that is known already, or a free one, or -1.
+// False once the library that <main> was found in has been closed.
+bool is_loaded(void* main) {
+    Dl_info info;
+    return dladdr(main, &info) != 0 && info.dli_saddr == main;
+}
+
+// The place of a driver that is known already, or one that is free, or one whose driver is gone; -1 if there is none.
 int place_for(void* real_main, bool is_glx) {
     const std::lock_guard lock(mutex);
-    for (std::size_t i = 0; i < drivers.size(); ++i) {
-        Driver& driver = drivers[i];
-        if (driver.real_main != nullptr && (driver.real_main != real_main || driver.is_glx != is_glx)) continue;
-        driver.real_main = real_main;
-        driver.is_glx = is_glx;
-        return static_cast<int>(i);
+    const auto is_it = [&](const Driver& d) { return d.real_main == real_main && d.is_glx == is_glx; };
+    auto place = std::ranges::find_if(drivers, is_it);
+    if (place == drivers.end()) {
+        place = std::ranges::find_if(
+            drivers, [](const Driver& d) { return d.real_main == nullptr || !is_loaded(d.real_main); });
     }
-    return -1;
+    if (place == drivers.end()) {
+        doctor_note("a driver was left alone: too many are loaded at once");
+        return -1;
+    }
+    place->real_main = real_main;
+    place->is_glx = is_glx;
+    return static_cast<int>(place - drivers.begin());
 }
 
 }  // namespace

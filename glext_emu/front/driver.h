@@ -15,7 +15,7 @@ void* wrap_egl_main(void* real);
 // A library was opened with RTLD_DEEPBIND, so the GL libraries were loaded before it.
 extern bool gl_was_loaded_ahead;
 
-// More drivers than this are loaded into no process: a GLX and an EGL vendor, and once more after a dlclose.
+// A process has a GLX and an EGL vendor, rarely two of each; more than this at once are left alone.
 inline constexpr int kMostDrivers = 8;
 
 // Replaces what a driver's getProcAddress gives by the layer's window-system functions; returns <real> for other names.
