@@ -83,6 +83,7 @@ static int away_and_back(void) {
     if (!make_current(&session, other)) return failed("a second context cannot be made current");
     if (!starts_clean(&gl)) return failed("a second context has state of the first");
     make_current(&session, session.context);
+    make_current(&session, session.context);  // again: it is current already
     destroy_context(&session, other);
     if (test_is_enabled(&gl) != GL_TRUE) return failed("the test was disabled while its context was away");
     if (read_result(&gl) != GL_TRUE) return failed("the result was lost while its context was away");
