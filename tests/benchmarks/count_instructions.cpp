@@ -6,9 +6,11 @@
 //
 // Run once without the layer and once with it: the difference of the counts over CALLS is the layer's price
 // for a call. Run on the null driver, whose functions always cost the same.
+#define GL_GLEXT_PROTOTYPES
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GL/gl.h>
+#include <GL/glext.h>
 #include <valgrind/callgrind.h>
 
 #include <cstdio>
@@ -59,5 +61,11 @@ int main(int argc, char** argv) {
     count("glDrawArrays", calls, [] { glDrawArrays(GL_TRIANGLES, 0, 3); });
     count("glDrawElements", calls, [] { glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, nullptr); });
     count("glCallList", calls, [] { glCallList(1); });
+    count("samples_query", calls, [] {
+        GLuint samples = 0;
+        glBeginQuery(GL_SAMPLES_PASSED, 1);
+        glEndQuery(GL_SAMPLES_PASSED);
+        glGetQueryObjectuiv(1, GL_QUERY_RESULT, &samples);
+    });
     return 0;
 }
