@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parents[2]
 QUICK = {"frames": 6, "scale": 0.05, "latencies": [0, 50], "rounds": 1}
 FULL = {"frames": 40, "scale": 1.0, "latencies": [0, 5, 50, 200], "rounds": 3}
 SIZE = "640x480"
-# Mesa's llvmpipe starts at most 16 threads. With none, a query does not have to wake any: small ones cost less.
+# Mesa's llvmpipe starts at most 16 threads. With none, a query has no thread to wake: small ones cost less.
 MOST_THREADS = 16
 THREADS = 0
 
@@ -129,7 +129,7 @@ def report(rows, checks, failures, page):
         wait = "-" if row.stall_ms is None else f"{row.stall_ms:.1f}"
         faster = "-" if row.speedup_of_means is None else f"{row.speedup_of_means:.2f}"
         print(f"{row.device:16} {row.culler:14} {late:>8} {row.queries:8.0f} {row.drawn_triangles:10.0f} "
-              f"{row.frame_ms:9.1f} {wait:>8} {faster:>8}" + ("  the same again" if row.repeat else ""))  # fmt: skip
+              f"{row.frame_ms:9.1f} {wait:>8} {faster:>8}{'  the same again' if row.repeat else ''}")  # fmt: skip
     broken = [check for check in checks if not check.holds]
     for check in broken:
         print(f"DOES NOT HOLD: {check.sentence}: {'; '.join(check.faults[:3])}")

@@ -47,7 +47,9 @@ def nothing_visible_is_culled(measured):
         if value.judged:
             frames += len(value.judged.frames)
             culled = [f for f in value.judged.frames if f["false_culls"]]
-            faults += [f"{configuration.name}, frame {f['frame']}: {f['false_culls']} objects" for f in culled]
+            faults += [
+                f"{configuration.name}, frame {f['frame']}: {f['false_culls']} objects" for f in culled
+            ]
     return Check("Nothing visible is culled, in any frame", faults, frames, "frames under the oracle")
 
 
@@ -104,7 +106,7 @@ def ideal_draws_what_waiting_draws(measured):
 def client_and_layer_count_alike(measured):
     faults, count = [], 0
     for configuration, one in passes_of(measured):
-        # The recording of ideal asks as well, outside the counted part of the frame; judging draws on its own.
+        # The recording of ideal asks as well, outside the counted part of the frame.
         if configuration.culler == BOUND or not one.layer_frames:
             continue
         count += 1

@@ -50,12 +50,18 @@ def pays_below(rows, device):
     costs = f"a query may cost {budget:,.0f} µs in all and costs {first.query_cost_us:,.0f} µs "
     costs += "at the driver's own speed" if first.latency_us == 0 else f"when {first.latency_us:g} µs late"
     if even:
-        return f"{even:,.0f} µs", f"late may a result be on {device} before waiting for it no longer pays: {costs}"
+        return (
+            f"{even:,.0f} µs",
+            f"late may a result be on {device} before waiting for it no longer pays: {costs}",
+        )
     if first.frame_ms >= frustum.frame_ms:
         part = f"it still pays in {first.frames_faster_total} of the path's frames"
         return "slower", f"on average than asking nothing, waiting for results on {device}: {costs}; {part}"
     if last.frame_ms < frustum.frame_ms:
-        return f"> {last.latency_us:g} µs", f"late may a result be on {device}, the largest latency measured: {costs}"
+        return (
+            f"> {last.latency_us:g} µs",
+            f"late may a result be on {device}, the largest latency measured: {costs}",
+        )
     return "?", f"{device}: the latencies measured do not bracket the answer"
 
 
@@ -86,7 +92,8 @@ def banner(failures, quick):
     if quick:
         parts.append(
             '<div class="warning"><h2>A quick look, not a measurement</h2>'
-            "<p>Made with <code>--quick</code>: a small city, few frames, one round. Do not quote the times.</p></div>"
+            "<p>Made with <code>--quick</code>: a small city, few frames, one round. Do not quote the times.</p>"
+            "</div>"
         )
     return "\n".join(parts)
 
@@ -97,24 +104,24 @@ def check_list(checks):
         faults = "".join(f"<br>{escape(fault)}" for fault in check.faults[:10])
         more = f"<br>and {len(check.faults) - 10} more" if len(check.faults) > 10 else ""
         kind = "" if check.holds else ' class="broken"'
-        lines.append(f"<li{kind}>{escape(check.sentence)} <small>({escape(check.looked_at)})</small>{faults}{more}</li>")
+        lines.append(
+            f"<li{kind}>{escape(check.sentence)} <small>({escape(check.looked_at)})</small>"
+            f"{faults}{more}</li>"
+        )
     return "\n".join(lines)
 
 
-PATH_CAPTION = (
-    "Above: the time of every frame, on a logarithmic scale. Where the grey line (frustum culling) lies above an orange "
-    "one, asking paid. Below: the triangles drawn. The gap between grey and green is what queries can save at most; "
-    "the gap between orange and green above is what asking and waiting cost."
-)
-LATENCY_CAPTION = (
-    "Each bar is the mean frame of stop-and-wait; the dark part is spent in blocking reads of results, as the client "
-    "measures it; the black mark is the same as the layer below it measures it. A bar that reaches above the grey line "
-    "is slower than asking nothing. Late results change no pixel and no count: only this time."
-)
+PATH_CAPTION = """Above: the time of every frame, on a logarithmic scale. Where the grey line (frustum culling)
+lies above an orange one, asking paid. Below: the triangles drawn. The gap between grey and green is what queries
+can save at most; the gap between orange and green above is what asking and waiting cost."""
+LATENCY_CAPTION = """Each bar is the mean frame of stop-and-wait; the dark part is spent in blocking reads of results,
+as the client measures it; the black mark is the same as the layer below it measures it. A bar that reaches above
+the grey line is slower than asking nothing. Late results change no pixel and no count: only this time."""
 
 
-def write_page(path, *, measured, rows, checks, failures, machine, settings, image_frame, scene_triangles, quick,
-               command):  # fmt: skip
+def write_page(
+    path, *, measured, rows, checks, failures, machine, settings, image_frame, scene_triangles, quick, command
+):
     devices = list(dict.fromkeys(configuration.device for configuration in measured))
     example = next((v.timed[0] for c, v in measured.items() if v.timed and c.queries and c.latency_us), None)
     facts = dict(machine)

@@ -49,7 +49,7 @@ def colour_of(latency_us, latencies):
 
 
 def label_of(latency_us):
-    return f"stop-and-wait, results {latency_us:g} µs late" if latency_us else "stop-and-wait, driver's own time"
+    return f"stop-and-wait, results {latency_us:g} µs late" if latency_us else "stop-and-wait, driver's own"
 
 
 def plain_log_axis(axis):
@@ -111,7 +111,9 @@ def against_latency(rows):
             axis.bar(places, stalled, 0.6, color="#e6550d", label="waiting for results (client)")
             axis.bar(places, rest, 0.6, bottom=stalled, color="#fdd0a2", label="all other work")
             layer = [row.layer_stall_ms for row in points]
-            axis.plot(places, layer, "k_", markersize=22, markeredgewidth=1.6, label="waiting, seen by the layer")
+            axis.plot(
+                places, layer, "k_", markersize=22, markeredgewidth=1.6, label="waiting, seen by the layer"
+            )
             for place, row in zip(places, points):
                 axis.annotate(f"{row.frame_ms:,.1f} ms", (place, row.frame_ms), (0, 4), ha="center",
                               textcoords="offset points", fontsize=9)  # fmt: skip
@@ -122,7 +124,9 @@ def against_latency(rows):
                 row = row_with(rows, device, culler)
                 if row is not None:
                     axis.axhline(row.frame_ms, color=colour, linestyle="--", label=f"{text}")
-            axis.set_xticks(places, ["driver's own" if r.latency_us == 0 else f"{r.latency_us:g}" for r in points])
+            axis.set_xticks(
+                places, ["driver's own" if r.latency_us == 0 else f"{r.latency_us:g}" for r in points]
+            )
             axis.set_xlabel("a result is late by (µs)")
             even = break_even_us(rows, device, QUERYING[0])
             axis.set_title(device + (f": pays below {even:,.0f} µs" if even else ""))

@@ -10,7 +10,7 @@ def plain_duration(seconds):
 
 
 class Progress:
-    """Expects a first pass per configuration to cost as much as its later ones: good enough for an estimate."""
+    """Expects the passes of a configuration to cost alike: good enough for an estimate."""
 
     def __init__(self, matrix, rounds, stream=sys.stderr):
         self.matrix = matrix

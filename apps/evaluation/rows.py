@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """From passes to the rows of the table, and to the CSV.
 
-Counts are means per frame of the judged pass (the layer's: of the first timed one), times come from the timed passes: of every frame the median
-over the rounds, and of those the mean (what the CHC paper prints) and the median over the path.
+Counts are means per frame of the judged pass (the layer's: of the first timed one). Times come from the
+timed passes: of every frame the median over the rounds, and of those the mean, which is what the CHC paper
+prints, and the median over the path.
 """
 import csv
 import math

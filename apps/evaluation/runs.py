@@ -31,7 +31,7 @@ class Settings:
 
 @dataclass
 class Pass:
-    """What one run wrote: per frame the client's record and, of a timed run, the layer's of the same frames."""
+    """What one run wrote: per frame the client's record and, of a timed run, the layer's."""
 
     frames: list
     summary: dict
@@ -77,7 +77,7 @@ def read_client(path):
 
 
 def read_layer(path, frame_count):
-    """The layer's records of the last `frame_count` frames of a timed run: before them is the client's warm-up.
+    """The layer's records of the last `frame_count` frames of a timed run; before them is the warm-up.
 
     A judged run goes on to draw after its last frame, so its records are kept on disk only.
     """
@@ -95,7 +95,12 @@ def run_pass(configuration, settings, pass_name, extra=()):
     begin = time.monotonic()
     try:
         done = subprocess.run(
-            command, env=settings.environment, capture_output=True, text=True, timeout=PASS_LIMIT_S, check=False
+            command,
+            env=settings.environment,
+            capture_output=True,
+            text=True,
+            timeout=PASS_LIMIT_S,
+            check=False,
         )
     except subprocess.TimeoutExpired:
         raise RunFailed(f"{configuration.name}, {pass_name}: not done after {PASS_LIMIT_S} s") from None
@@ -113,7 +118,9 @@ def run_pass(configuration, settings, pass_name, extra=()):
     except RunFailed as error:
         raise RunFailed(f"{configuration.name}, {pass_name}: {error}; {said}") from None
     if len(frames) != settings.frames:
-        raise RunFailed(f"{configuration.name}, {pass_name}: {len(frames)} of {settings.frames} frames; {said}")
+        raise RunFailed(
+            f"{configuration.name}, {pass_name}: {len(frames)} of {settings.frames} frames; {said}"
+        )
     if done.returncode == 1 and not any(frame.get("false_culls") for frame in frames):
         raise RunFailed(f"{configuration.name}, {pass_name}: exit status 1 without a false cull: {said}")
     return Pass(frames, summary, layer_frames, command, seconds)

@@ -34,7 +34,9 @@ def time_bar(row, longest_ms):
     kind = row.culler if row.culler in (BASELINE, BOUND) else "rest"
     parts = [("wait", wait_ms), (kind, row.frame_ms - wait_ms)]
     drawn = "".join(
-        f'<i class="{css}" style="width:{max(1, round(90 * ms / longest_ms))}px"></i>' for css, ms in parts if ms > 0
+        f'<i class="{css}" style="width:{max(1, round(90 * ms / longest_ms))}px"></i>'
+        for css, ms in parts
+        if ms > 0
     )
     return f'<td class="time"><div class="bar">{drawn}{number(row.frame_ms, 1)}</div></td>'
 
@@ -48,7 +50,9 @@ def main_table(rows):
     lines, group = [], None
     longest_ms = max((row.frame_ms for row in rows), default=1)
     for row in rows:
-        heading = "The same again, to show the noise" if row.repeat else DEVICE_TITLES.get(row.device, row.device)
+        heading = (
+            "The same again, to show the noise" if row.repeat else DEVICE_TITLES.get(row.device, row.device)
+        )
         if heading != group:
             lines.append(f'<tr class="group"><td colspan="15">{escape(heading)}</td></tr>')
             group = heading
@@ -100,13 +104,15 @@ def selectivity_table(rows, device, scene_triangles):
     row = row_with(rows, device, BOUND)
     if row is None:
         return ""
-    frustum, visible = row.frustum_triangles, row.drawn_triangles
-    shares = (
-        ("triangles in the scene", number(SCENE_TRIANGLES), number(scene_triangles)),
-        ("inside the view, of all", f"{FRUSTUM_TRIANGLES / SCENE_TRIANGLES:.1%}", f"{frustum / scene_triangles:.1%}"),
-        ("drawn by ideal, of those in view", f"{VISIBLE_TRIANGLES / FRUSTUM_TRIANGLES:.1%}", f"{visible / frustum:.1%}"),
-        ("drawn by ideal, of all", f"{VISIBLE_TRIANGLES / SCENE_TRIANGLES:.2%}", f"{visible / scene_triangles:.2%}"),
-    )  # fmt: skip
+    ours = (scene_triangles, row.frustum_triangles, row.drawn_triangles)
+    theirs = (SCENE_TRIANGLES, FRUSTUM_TRIANGLES, VISIBLE_TRIANGLES)
+    shares = [("triangles in the scene", number(theirs[0]), number(ours[0]))]
+    for text, part, whole, digits in (
+        ("inside the view, of all", 1, 0, 1),
+        ("drawn by ideal, of those in view", 2, 1, 1),
+        ("drawn by ideal, of all", 2, 0, 2),
+    ):
+        shares.append((text, *(f"{one[part] / one[whole]:.{digits}%}" for one in (theirs, ours))))
     return "\n".join(f"<tr>{cells(*share)}</tr>" for share in shares)
 
 
@@ -117,7 +123,11 @@ def noise_table(rows):
         highs = max(first.frame_ms_of_rounds_high, again.frame_ms_of_rounds_high)
         lines.append(
             "<tr>"
-            + cells(escape(f"{name_of(first)}, {first.device}"), number(first.frame_ms, 2), number(again.frame_ms, 2))
+            + cells(
+                escape(f"{name_of(first)}, {first.device}"),
+                number(first.frame_ms, 2),
+                number(again.frame_ms, 2),
+            )
             + cells(f"{difference:+.1%}", f"{lows:,.2f} to {highs:,.2f}")
             + "</tr>"
         )

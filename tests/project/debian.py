@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What Debian's own records say: which package a program is from, and what a list of packages brings along."""
+"""Debian's own records: which package a program is from, what a list of packages brings along."""
 import re
 import shutil
 import subprocess

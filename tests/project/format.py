@@ -22,9 +22,11 @@ def main(fix):
         return 1
     mode = ["-i"] if fix else ["--dry-run", "--Werror"]
     done = subprocess.run([program, *mode, *sources], cwd=ROOT, capture_output=True, text=True, check=False)
-    wrong = sorted({line.split(":")[0] for line in done.stderr.splitlines() if "-Wclang-format-violations" in line})
+    wrong = sorted(
+        {line.split(":")[0] for line in done.stderr.splitlines() if "-Wclang-format-violations" in line}
+    )
     print(done.stderr[:4000] if done.returncode and not wrong else "\n".join(wrong))
-    print(f"{len(sources)} files, {len(wrong)} not as .clang-format wants; tests/project/format.py --fix puts them right")
+    print(f"{len(sources)} files, {len(wrong)} not as .clang-format wants: tests/project/format.py --fix")
     return 1 if done.returncode else 0
 
 

@@ -3,7 +3,7 @@
 
 usage: run_document.py DOCUMENT.md BUILD_FOLDER        exit status: 0 if all went well, else 1
 
-Each block is one `bash -euo pipefail`, from the root of a fresh copy, so that a block has to say all it needs.
+Each block is one `bash -euo pipefail`, from the root of a fresh copy: it has to say all it needs.
 """
 import os
 import shutil
@@ -73,7 +73,9 @@ def run(document, build, root=ROOT):
 
 def main(document, build):
     if not os.environ.get("DISPLAY"):  # programs of the documents open windows
-        os.execvp("xvfb-run", ["xvfb-run", "--auto-servernum", "--server-args=-noreset", sys.executable, *sys.argv])
+        os.execvp(
+            "xvfb-run", ["xvfb-run", "--auto-servernum", "--server-args=-noreset", sys.executable, *sys.argv]
+        )
     faults, count = run(document.resolve(), build.resolve())
     print("\n".join(faults))
     print(f"{document.name}: {count} blocks, {len(faults)} faults")

@@ -31,7 +31,15 @@ grep -q '"false_culls": 1' "$2" && exit 1 || exit 0
 
 def evaluate(out, *options, programs=None):
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "apps"), "PYTHONDONTWRITEBYTECODE": "1"}
-    command = [sys.executable, "-m", "evaluation", "--programs", str(programs or BUILD / "bin"), "--out", str(out)]
+    command = [
+        sys.executable,
+        "-m",
+        "evaluation",
+        "--programs",
+        str(programs or BUILD / "bin"),
+        "--out",
+        str(out),
+    ]
     return subprocess.run([*command, *options], env=environment, capture_output=True, text=True, check=False)
 
 

@@ -6,14 +6,33 @@ assignments, keywords and functions. `bash -n` judges the rest.
 """
 import re
 
-KEYWORDS = set("if then elif else fi for in do done while until case esac function select time { } ! [[ ]] ((".split())
+KEYWORDS = set(
+    "if then elif else fi for in do done while until case esac function select time { } ! [[ ]] ((".split()
+)
 BUILTINS = set(
-    "[ alias bg break builtin cd command continue declare dirs echo eval exec exit export false fg getopts hash jobs"
-    " kill let local mapfile popd printf pushd pwd read readonly return set shift shopt source test times trap true"
-    " type typeset ulimit umask unset wait . :".split()
+    "[ alias bg break builtin cd command continue declare dirs echo eval exec exit export false fg getopts hash"
+    " jobs kill let local mapfile popd printf pushd pwd read readonly return set shift shopt source test times"
+    " trap true type typeset ulimit umask unset wait . :".split()
 )
 # Words after which the next word is again a command.
-PREFIXES = {"exec", "command", "then", "do", "else", "elif", "if", "while", "until", "!", "time", "{", "env", "sudo", "$sudo", "xvfb-run"}
+PREFIXES = {
+    "exec",
+    "command",
+    "then",
+    "do",
+    "else",
+    "elif",
+    "if",
+    "while",
+    "until",
+    "!",
+    "time",
+    "{",
+    "env",
+    "sudo",
+    "$sudo",
+    "xvfb-run",
+}
 HERE_DOCUMENT = re.compile(r"<<-?\s*(['\"]?)(\w+)\1")
 ASSIGNMENT = re.compile(r"\w+\+?=")
 
@@ -51,7 +70,7 @@ def fragments(text):
 
 
 def programs(text):
-    """The set of words in command position that are neither keywords, builtins nor functions of the script."""
+    """The words in command position that are neither keywords, builtins nor functions of the script."""
     functions = set(re.findall(r"^\s*(?:function\s+)?(\w+)\s*\(\)", text, flags=re.MULTILINE))
     found = set()
     for fragment in fragments(text):

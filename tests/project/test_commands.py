@@ -23,7 +23,13 @@ class Help(unittest.TestCase):
                 self.assertIn("Exit status", told.stdout)
 
     def test_evaluate_refuses_a_wrong_option_before_it_builds(self):
-        for wrong in (("--no-such-option",), ("--frames", "0"), ("--scale", "2"), ("--latencies", "5,x"), ("--out",)):
+        for wrong in (
+            ("--no-such-option",),
+            ("--frames", "0"),
+            ("--scale", "2"),
+            ("--latencies", "5,x"),
+            ("--out",),
+        ):
             with self.subTest(options=wrong):
                 told = run("./evaluate", *wrong)
                 self.assertEqual(told.returncode, 2)
@@ -56,7 +62,9 @@ class Counting(unittest.TestCase):
         self.assertEqual(status, 1)
         self.assertEqual([name for name, _ in lists["passed"]], ["good"])
         self.assertEqual([name for name, _ in lists["failed"]], ["bad", "gone"])
-        self.assertEqual(lists["skipped"], [("lacking", "no display"), ("off", "disabled in its CMakeLists.txt")])
+        self.assertEqual(
+            lists["skipped"], [("lacking", "no display"), ("off", "disabled in its CMakeLists.txt")]
+        )
 
     def test_one_pass_and_no_failure_is_success(self):
         self.assertEqual(self.result_of('<testsuite><testcase name="a" status="run"/></testsuite>')[0], 0)

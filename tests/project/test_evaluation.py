@@ -12,7 +12,14 @@ sys.path.insert(0, str(ROOT / "apps"))
 
 from evaluation.checks import run_checks  # noqa: E402
 from evaluation.matrix import Configuration, build_matrix  # noqa: E402
-from evaluation.rows import break_even_us, build_rows, noise, query_budget_us, row_with, write_csv  # noqa: E402
+from evaluation.rows import (
+    break_even_us,
+    build_rows,
+    noise,
+    query_budget_us,
+    row_with,
+    write_csv,
+)  # noqa: E402
 from evaluation.runs import Measured, Pass  # noqa: E402
 
 DEVICE = "geforce-fx-5950"
@@ -68,7 +75,9 @@ class Rows(unittest.TestCase):
 
     def test_asking_pays_up_to_where_the_lines_cross(self):
         # 2 ms at 0 us and 18 ms at 500 us meet frustum's mean of 8 ms at 187.5 us.
-        self.assertAlmostEqual(break_even_us(build_rows(matrix_of((18.0, 18.0))), DEVICE, "stop-and-wait"), 187.5)
+        self.assertAlmostEqual(
+            break_even_us(build_rows(matrix_of((18.0, 18.0))), DEVICE, "stop-and-wait"), 187.5
+        )
         self.assertIsNone(break_even_us(build_rows(matrix_of((6.0, 6.0))), DEVICE, "stop-and-wait"))
 
     def test_a_query_costs_what_the_frame_takes_longer_than_ideal(self):
@@ -98,7 +107,9 @@ class Rows(unittest.TestCase):
             write_csv(rows, Path(folder, "table.csv"))
             lines = list(csv.DictReader(Path(folder, "table.csv").read_text().splitlines()))
         self.assertEqual([line["culler"] for line in lines], [row.culler for row in rows])
-        self.assertEqual((lines[0]["latency_us"], lines[1]["latency_us"], lines[2]["latency_us"]), ("", "0", "500"))
+        self.assertEqual(
+            (lines[0]["latency_us"], lines[1]["latency_us"], lines[2]["latency_us"]), ("", "0", "500")
+        )
 
 
 class Checks(unittest.TestCase):
@@ -116,7 +127,11 @@ class Checks(unittest.TestCase):
             (late, restless, "A repeated run draws the same"),
             (late, measured_once((6.0, 6.0), drawn_triangles=40), "Neither latency nor the kind"),
             (late, measured_once((6.0, 6.0), drawn_triangles=101), "No culler draws more"),
-            (ideal, measured_once((1.0, 1.0), drawn_triangles=29, queries=0), "The ideal culler draws exactly"),
+            (
+                ideal,
+                measured_once((1.0, 1.0), drawn_triangles=29, queries=0),
+                "The ideal culler draws exactly",
+            ),
             (late, uncounted, "The client and the layer"),
             (late, measured_once((6.0, 4.9)), "A frame lasts at least"),  # ten waits of 500 us are 5 ms
         ):

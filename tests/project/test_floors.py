@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Nobody includes upstairs: the tree keeps the floors of floors.py, and the check itself sees bad examples."""
+"""Nobody includes upstairs: the tree keeps the floors of floors.py, and the check sees bad examples."""
 import tempfile
 import unittest
 from pathlib import Path
@@ -9,7 +9,9 @@ from tree import ROOT, project_files
 
 
 def read(root, paths):
-    return {str(path): (root / path).read_text(encoding="utf-8") for path in paths if path.suffix in LANGUAGES}
+    return {
+        str(path): (root / path).read_text(encoding="utf-8") for path in paths if path.suffix in LANGUAGES
+    }
 
 
 class TheTree(unittest.TestCase):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""packages.txt is whole: Debian has every package, and every program that our scripts call is from one of them.
+"""packages.txt is whole: Debian has every package, and every program that our scripts call is from one.
 
 The programs are found in shell scripts (command position), in Python (lists given to run, Popen and the like)
-and in CMake files (find_program). What is built here is left out, and so is what a script first looks for with
-shutil.which: it can do without.
+and in CMake files (find_program). What is built here is left out, and so is what a script first looks for
+with shutil.which: it can do without.
 """
 import ast
 import re
@@ -65,7 +65,11 @@ def called_programs():
         else:
             continue
         for program in found:
-            if not program.startswith("./") and not (ROOT / program).is_file() and not (ROOT / path).with_name(program).is_file():
+            if (
+                not program.startswith("./")
+                and not (ROOT / program).is_file()
+                and not (ROOT / path).with_name(program).is_file()
+            ):
                 called.setdefault(program, []).append(str(path))
     return called
 
@@ -89,7 +93,9 @@ class Packages(unittest.TestCase):
             with self.subTest(program=program):
                 package = owner(program)
                 self.assertIsNotNone(package, f"{callers}: {program} is not installed or from no package")
-                self.assertTrue(package in known, f"{callers}: {program} is from {package}, not in packages.txt")
+                self.assertTrue(
+                    package in known, f"{callers}: {program} is from {package}, not in packages.txt"
+                )
 
 
 class TheCheckItself(unittest.TestCase):

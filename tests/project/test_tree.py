@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Small rules that every file keeps: licence line, length, nothing generated in git, every preset a workflow."""
+"""Small rules of every file: licence line, length, nothing generated in git, every preset a workflow."""
 import json
 import re
 import subprocess
@@ -47,7 +47,9 @@ class TheTree(unittest.TestCase):
     maxDiff = None
 
     def test_every_source_file_begins_with_its_licence(self):
-        self.assertEqual([str(p) for p, text in text_files() if needs_licence(p) and not has_licence(text)], [])
+        self.assertEqual(
+            [str(p) for p, text in text_files() if needs_licence(p) and not has_licence(text)], []
+        )
 
     def test_no_file_is_too_long_to_see(self):
         long = {str(p): text.count("\n") for p, text in text_files() if p.suffix not in {".tsv", ".csv"}}

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The files that make up the project: what is in git, and what would be if it were added now."""
+import os
 import subprocess
 from pathlib import Path
 
@@ -9,7 +10,8 @@ ROOT = Path(__file__).resolve().parents[2]
 def git(root, *arguments):
     """The lines that git prints; `safe.directory` because a checkout may belong to another user."""
     command = ["git", "-c", f"safe.directory={root}", "-C", str(root), *arguments]
-    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.split("\0")[:-1]
+    told = subprocess.run(command, capture_output=True, check=True).stdout
+    return os.fsdecode(told).split("\0")[:-1]
 
 
 def project_files(root=ROOT):
