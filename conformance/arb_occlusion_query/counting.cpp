@@ -148,6 +148,7 @@ TEST_F(Counting, a_context_may_die_with_its_query_active) {
         glBeginQuery(GL_SAMPLES_PASSED, 1);
         draw_samples(64);
         EXPECT_TRUE(no_error());
+        glFinish();  // Mesa 22.3 frees an active query while its rasteriser still counts into it
         Context::release_current();
     }
     come_back();
