@@ -69,7 +69,7 @@ Truth Oracle::look(const View& view) {
         if (owner != images.backwards[pixel])
             ++truth.contested_pixels;
         else if (owner != 0)
-            owns[owner - 1] = 1;
+            owns.at(owner - 1) = 1;
     }
     for (ObjectId id = 0; id < owns.size(); ++id)
         if (owns[id]) truth.visible.push_back(id);

@@ -10,20 +10,33 @@
 
 namespace apps {
 
+namespace {
+
+/// Nothing where the text is not a cache of that key and length.
+std::optional<std::vector<std::optional<Truth>>> read(std::istream& in, std::uint64_t key, std::size_t frames) {
+    try {
+        const auto json = nlohmann::json::parse(in);
+        if (json.at("key") != std::to_string(key) || json.at("truths").size() != frames) return std::nullopt;
+        std::vector<std::optional<Truth>> truths;
+        for (const auto& entry : json.at("truths")) {
+            Truth truth;
+            truth.visible = entry.at("visible").get<std::vector<ObjectId>>();
+            truth.contested_pixels = entry.at("contested").get<std::uint32_t>();
+            truth.image_hash = std::stoull(entry.at("hash").get<std::string>());
+            truths.emplace_back(std::move(truth));
+        }
+        return truths;
+    } catch (const std::exception&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace
+
 OracleCache::OracleCache(std::filesystem::path file, std::uint64_t key, std::size_t frames)
     : file_(std::move(file)), key_(key), truths_(frames) {
     std::ifstream in(file_);
-    const auto json = nlohmann::json::parse(in, nullptr, false);
-    if (json.is_discarded() || json.value("key", "") != std::to_string(key_)) return;
-    const auto& truths = json["truths"];
-    if (!truths.is_array() || truths.size() != frames) return;
-    for (std::size_t frame = 0; frame < frames; ++frame) {
-        Truth truth;
-        truth.visible = truths[frame]["visible"].get<std::vector<ObjectId>>();
-        truth.contested_pixels = truths[frame]["contested"].get<std::uint32_t>();
-        truth.image_hash = std::stoull(truths[frame]["hash"].get<std::string>());
-        truths_[frame] = std::move(truth);
-    }
+    if (auto known = read(in, key, frames)) truths_ = std::move(*known);
 }
 
 void OracleCache::keep(std::size_t frame, Truth truth) {

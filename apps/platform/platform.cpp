@@ -17,9 +17,13 @@ std::string string_of(GLenum name) {
 }  // namespace
 
 void Platform::read_strings() {
-    renderer_ = string_of(GL_RENDERER);
-    version_ = string_of(GL_VERSION);
-    extensions_ = ' ' + string_of(GL_EXTENSIONS) + ' ';
+    describe(string_of(GL_RENDERER), string_of(GL_VERSION), string_of(GL_EXTENSIONS));
+}
+
+void Platform::describe(std::string renderer, std::string version, const std::string& extensions) {
+    renderer_ = std::move(renderer);
+    version_ = std::move(version);
+    extensions_ = ' ' + extensions + ' ';
 }
 
 bool Platform::has_extension(std::string_view name) const {

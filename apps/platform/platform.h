@@ -33,8 +33,9 @@ class Platform {
     const std::string& version() const { return version_; }
 
   protected:
-    /// Called by the makers once the context is current.
+    /// Called by the makers once the context is current: takes what GL says.
     void read_strings();
+    void describe(std::string renderer, std::string version, const std::string& extensions);
 
   private:
     std::string renderer_, version_, extensions_;

@@ -86,13 +86,13 @@ Renderer::~Renderer() {
 Renderer::Paint Renderer::add_paint(std::vector<glm::u8vec4> colours) {
     if (buffers_) buffers_->paints.push_back(buffers_->make(GL_ARRAY_BUFFER, colours));
     paints_.push_back(std::move(colours));
-    mode_ = Mode::kNone;
+    leave_mode();
     return paints_.size() - 1;
 }
 
 void Renderer::use_paint(Paint paint, bool is_flat) {
     paint_ = paint;
-    mode_ = Mode::kNone;
+    leave_mode();
     glShadeModel(is_flat ? GL_FLAT : GL_SMOOTH);
 }
 
@@ -107,18 +107,23 @@ void Renderer::set_matrices(const glm::mat4& modelview, const glm::mat4& project
 }
 
 void Renderer::clear(const glm::vec4& colour) {
-    if (mode_ == Mode::kProxies) use_objects(Mode::kForwards);  // masks hold for clearing too
+    if (mode_ == Mode::kProxies) leave_mode();  // masks hold for clearing too
     glClearColor(colour.r, colour.g, colour.b, colour.a);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void Renderer::use_objects(Mode mode) {
-    if (mode_ == mode) return;
+void Renderer::leave_mode() {
     if (mode_ == Mode::kProxies) {
         glDisable(GL_POLYGON_OFFSET_FILL);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glDepthMask(GL_TRUE);
     }
+    mode_ = Mode::kNone;
+}
+
+void Renderer::use_objects(Mode mode) {
+    if (mode_ == mode) return;
+    leave_mode();
     mode_ = mode;
     if (!buffers_) {
         glVertexPointer(3, GL_FLOAT, 0, scene_.positions.data());

@@ -66,6 +66,7 @@ class Renderer {
     enum class Mode { kNone, kForwards, kBackwards, kProxies };
     struct Buffers;
 
+    void leave_mode();
     void use_objects(Mode mode);
     void draw_run(std::uint32_t first_index, std::uint32_t count);
     void draw_shapes(unsigned primitive, const Shapes& shapes, bool on_top);

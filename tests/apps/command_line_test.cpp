@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// walkthrough as a program: its exit status, its one sentence on bad use, and the report that other programs
+// read.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+struct Result {
+    int status;
+    std::string output;  // both streams
+};
+
+Result run(const std::string& arguments) {
+    FILE* pipe = popen((std::string(WALKTHROUGH) + ' ' + arguments + " 2>&1").c_str(), "r");
+    Result result{};
+    std::array<char, 4096> part{};
+    while (const std::size_t read = std::fread(part.data(), 1, part.size(), pipe))
+        result.output.append(part.data(), read);
+    result.status = WEXITSTATUS(pclose(pipe));
+    return result;
+}
+
+struct Walkthrough : testing::Test {
+    Walkthrough() { fs::create_directories(folder); }
+    ~Walkthrough() override { fs::remove_all(folder); }
+
+    std::vector<Json> lines(const fs::path& file) const {
+        std::vector<Json> all;
+        std::ifstream in(file);
+        for (std::string line; std::getline(in, line);) all.push_back(Json::parse(line));
+        return all;
+    }
+
+    fs::path folder = fs::temp_directory_path() / ("walkthrough_test_" + std::to_string(getpid()));
+};
+
+TEST_F(Walkthrough, answers_bad_use_with_one_sentence_and_status_two) {
+    std::ofstream(folder / "no_report") << "hello\n";
+    std::ofstream(folder / "short_report") << R"({"frame": 0, "frame_ms": 1.5})" << '\n';
+    const std::pair<std::string, std::string> uses[] = {
+        {"--culler fast", "fast"},
+        {"--scene atlantis", "atlantis"},
+        {"--size 640", "640"},
+        {"--size 0x480", "0x480"},
+        {"--frames 0", "0"},
+        {"--frames many", "many"},
+        {"--scale 0", "0"},
+        {"--scale nan", "nan"},
+        {"--platform web", "web"},
+        {"--set proxy_growth=0", "0"},
+        {"--set proxy_growth", "proxy_growth"},
+        {"--set speed=3", "speed"},
+        {"--culler none --set proxy_growth=1", "none"},
+        {"--image-frame 120", "120"},
+        {"--label word", "word"},
+        {"--oracle-cache file", "--oracle"},
+        {"--nonsense", "--nonsense"},
+        {"--baseline /nowhere", "/nowhere"},
+        {"--frames 2 --baseline " + (folder / "no_report").string(), "no_report"},
+        {"--frames 2 --baseline " + (folder / "short_report").string(), "1"},
+        {"--scale 0.01 --frames 1 --json /nowhere/report", "/nowhere/report"}};
+    for (const auto& [arguments, culprit] : uses) {
+        const Result result = run(arguments);
+        EXPECT_EQ(result.status, 2) << arguments;
+        EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 1)
+            << arguments << ": " << result.output;
+        EXPECT_TRUE(result.output.starts_with("walkthrough: ")) << result.output;
+        EXPECT_NE(result.output.find(culprit), std::string::npos) << result.output;
+    }
+}
+
+TEST_F(Walkthrough, reports_a_line_a_frame_and_their_means) {
+    const fs::path report = folder / "report";
+    const std::string common = "--scale 0.02 --frames 3 --size 160x120 --json " + report.string();
+    ASSERT_EQ(
+        run(common + " --oracle --label clock=wall=5 --oracle-cache " + (folder / "truth").string()).status,
+        0);
+    const std::vector<Json> all = lines(report);
+    ASSERT_EQ(all.size(), 4U);
+    const std::vector<std::string> fields = {
+        "frame",          "drawn_triangles", "drawn_objects", "frustum_triangles", "queries",
+        "results_waited", "pixels_read",     "tiles_tested",  "stall_ms",          "frame_ms",
+        "device_ms",      "visible_objects", "false_culls",   "wrong_pixels",      "contested_pixels"};
+    const Json& summary = all.back().at("summary");
+    for (std::size_t frame = 0; frame < 3; ++frame) {
+        EXPECT_EQ(all[frame].size(), fields.size());
+        for (const std::string& field : fields) EXPECT_TRUE(all[frame].contains(field)) << field;
+        EXPECT_EQ(all[frame]["frame"], frame);
+        EXPECT_LE(all[frame]["stall_ms"], all[frame]["frame_ms"]);
+        EXPECT_LE(all[frame]["drawn_triangles"], all[frame]["frustum_triangles"]);
+        EXPECT_GE(all[frame]["drawn_objects"], all[frame]["visible_objects"]);
+        EXPECT_TRUE(all[frame]["device_ms"].is_null());
+    }
+    const auto queries = [&](std::size_t frame) { return all[frame]["queries"].get<double>(); };
+    EXPECT_DOUBLE_EQ(summary["queries"].get<double>(), (queries(0) + queries(1) + queries(2)) / 3);
+    EXPECT_EQ(summary["clock"], "wall=5");
+    for (const char* fact : {"scene", "culler", "device", "size", "scale", "seed", "mesa", "cpu", "frames"})
+        EXPECT_TRUE(summary.contains(fact)) << fact;
+    EXPECT_TRUE(summary["device_ms"].is_null());
+
+    // The cached truth gives the same verdicts, and a run is as fast as itself on average.
+    ASSERT_EQ(
+        run("--oracle --oracle-cache " + (folder / "truth").string() + " --baseline " + report.string() +
+            " --scale 0.02 --frames 3 --size 160x120 --json " + (folder / "again").string())
+            .status,
+        0);
+    const std::vector<Json> again = lines(folder / "again");
+    for (std::size_t frame = 0; frame < 3; ++frame)
+        for (const char* field : {"drawn_triangles", "queries", "visible_objects", "false_culls",
+                                  "wrong_pixels", "contested_pixels"})
+            EXPECT_EQ(again[frame][field], all[frame][field]) << field;
+    EXPECT_GT(again.back()["summary"]["speedup_mean_of_ratios"], 0.0);
+    EXPECT_GT(again.back()["summary"]["speedup_ratio_of_means"], 0.0);
+}
+
+TEST_F(Walkthrough, ignores_a_damaged_cache) {
+    std::ofstream(folder / "truth") << R"({"key": 5, "truths": "none"})";
+    EXPECT_EQ(
+        run("--scale 0.01 --frames 1 --size 64x48 --oracle --oracle-cache " + (folder / "truth").string())
+            .status,
+        0);
+}
+
+TEST_F(Walkthrough, writes_three_pictures_of_the_size_of_its_view) {
+    ASSERT_EQ(run("--scale 0.02 --frames 2 --size 96x64 --image-frame 1 --images " +
+                  (folder / "new" / "folder").string())
+                  .status,
+              0);
+    for (const char* name : {"view.png", "above.png", "nodes.png"}) {
+        std::ifstream in(folder / "new" / "folder" / name, std::ios::binary);
+        std::array<unsigned char, 24> head{};
+        in.read(reinterpret_cast<char*>(head.data()), head.size());
+        // PNG: eight bytes of signature, then IHDR with width and height as 32 bit big-endian from byte 16.
+        EXPECT_EQ(std::string(head.begin() + 1, head.begin() + 4), "PNG") << name;
+        EXPECT_EQ(head[19], 96) << name;
+        EXPECT_EQ(head[23], 64) << name;
+    }
+}
+
+TEST_F(Walkthrough, lists_its_scenes_and_cullers_as_json) {
+    const Result result = run("--list");
+    ASSERT_EQ(result.status, 0);
+    const Json list = Json::parse(result.output);
+    EXPECT_EQ(list["scenes"][0]["name"], "chc-city");
+    EXPECT_EQ(list["scenes"][0]["triangles"], 1'036'146);
+    EXPECT_GT(list["scenes"][0]["objects"], 40'000);
+    std::vector<std::string> names;
+    for (const Json& culler : list["cullers"]) {
+        names.push_back(culler["name"]);
+        EXPECT_TRUE(culler["conservative"].is_boolean() && culler["needs"].is_array());
+        for (const Json& knob : culler["knobs"])
+            EXPECT_TRUE(knob["range"][0] <= knob["default"] && knob["default"] <= knob["range"][1]);
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"none", "frustum", "stop-and-wait", "ideal"}));
+}
+
+}  // namespace
