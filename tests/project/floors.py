@@ -57,6 +57,7 @@ FLOORS = {
     "apps/query": ({"apps"}, CLIENT | {"khronos"}),
     "apps/render": ({"apps"}, CLIENT | {"khronos"}),
     "conformance": (set(), {"std", "system", "khronos", "x11", "test"}),
+    "docs/examples": (set(), {"std", "system", "khronos", "x11"}),
 }
 # Tests look at everything.
 EVERYWHERE = ("tests",)

@@ -10,8 +10,8 @@ from tree import ROOT, project_files, tracked_files
 
 SPDX = "SPDX-License-Identifier: MIT"
 MOST_LINES = 500
-# Kinds of file that cannot carry a comment, or whose whole is the licence or prose.
-WITHOUT_COMMENT = {".json", ".md", ".png", ".tsv", ".csv", ".txt", ".obj", ".svg"}
+# Data, prose, and what cannot carry a comment.
+WITHOUT_COMMENT = {".json", ".toml", ".md", ".png", ".tsv", ".csv", ".txt", ".obj", ".svg"}
 WITHOUT_LICENCE_LINE = {"LICENSE", ".clang-format", ".clang-tidy", ".gitignore"}
 GENERATED = re.compile(
     r"^(build|report)/|(^|/)(__pycache__|CMakeFiles|Testing)/|\.(o|a|so|pyc|gch|log)$|(^|/)CMakeCache\.txt$"
