@@ -116,7 +116,8 @@ lies above an orange one, asking paid. Below: the triangles drawn. The gap betwe
 can save at most; the gap between orange and green above is what asking and waiting cost."""
 LATENCY_CAPTION = """Each bar is the mean frame of stop-and-wait; the dark part is spent in blocking reads of results,
 as the client measures it; the black mark is the same as the layer below it measures it. A bar that reaches above
-the grey line is slower than asking nothing. Late results change no pixel and no count: only this time."""
+the grey line is slower than asking nothing. A latency shorter than the driver's own time changes nothing. Late
+results change no pixel and no count: only this time."""
 
 
 def write_page(
@@ -137,7 +138,9 @@ def write_page(
         "devices": definitions((device, DEVICE_TITLES.get(device, "")) for device in devices),
         "pictures": pictures(settings.out / "pictures", image_frame),
         "frames": settings.frames,
-        "rounds": settings.rounds,
+        "rounds": f"of each frame the median of {settings.rounds} runs taken in turn"
+        if settings.rounds > 1
+        else "each frame was timed once",
         "table": tables.main_table(rows),
         "path_plot": plots.along_the_path(measured, rows) if rows else "",
         "path_caption": PATH_CAPTION,

@@ -21,6 +21,7 @@ KINDS = (
     ("image", r"png\.h"),
     ("model", r"(assimp/|meshoptimizer\.h)"),
     ("test", r"(gtest|gmock|benchmark)/"),
+    ("window", r"(SDL2|GLFW)/"),
     ("std", r"[a-z_0-9]+$"),
     ("std", r"(assert|ctype|errno|float|inttypes|limits|locale|math|setjmp|signal|stdarg|stdbool|stddef)\.h$"),
     ("std", r"(stdint|stdio|stdlib|string|time|wchar)\.h$"),
@@ -57,7 +58,7 @@ FLOORS = {
     "apps/query": ({"apps"}, CLIENT | {"khronos"}),
     "apps/render": ({"apps"}, CLIENT | {"khronos"}),
     "conformance": (set(), {"std", "system", "khronos", "x11", "test"}),
-    "docs/examples": (set(), {"std", "system", "khronos", "x11"}),
+    "docs/examples": (set(), {"std", "system", "khronos", "x11", "window"}),
 }
 # Tests look at everything.
 EVERYWHERE = ("tests",)
