@@ -14,8 +14,7 @@ FRAMES = 30
 
 def turn(layer=True, device=None, clock=None):
     """Let the gears turn, then press Escape: the run, and two pictures taken while they turned."""
-    with under_layer.Program(COMMAND, layer, device, clock) as program:
-        window = x_window.Window(SIZE)
+    with under_layer.Program(COMMAND, layer, device, clock) as program, x_window.Window(SIZE) as window:
         pictures = []
         for _ in range(2):
             time.sleep(0.3)
@@ -64,8 +63,7 @@ class Glxgears(unittest.TestCase):
                 self.assertEqual(what_it_says(run), what_it_says(self.bare))
 
     def test_the_report_is_valid_while_the_program_runs(self):
-        with under_layer.Program(COMMAND, device="mesa") as program:
-            window = x_window.Window(SIZE)
+        with under_layer.Program(COMMAND, device="mesa") as program, x_window.Window(SIZE) as window:
             seen = []
             for _ in range(20):
                 time.sleep(0.1)

@@ -48,9 +48,18 @@ class VtkDepthPeeling(unittest.TestCase):
         run, _ = self.peel(device="mesa", clock=f"wall={LATENCY_US}")
         waits, stall_ms = run.layers_report().total("waits"), run.layers_report().total("stall_ms")
         self.assertEqual(waits, run.layers_report().total("queries_begun"))
-        # VTK reads a result at once after the query's end: what it does between is far less than half the latency.
+        # VTK reads a result at once after the query's end; what it does between is far less than half of that.
         self.assertGreater(stall_ms, 0.5 * waits * LATENCY_US / 1000)
         self.assertGreater(run.seconds, stall_ms / 1000)
+
+    def test_vtk_refuses_a_device_of_gl_1_5_as_it_refuses_a_mesa_of_gl_1_5(self):
+        # VTK wants 3.2, says so, and then stumbles over what it did not get.
+        mesa, _ = self.peel(layer=False, environment={"MESA_GL_VERSION_OVERRIDE": "1.5"})
+        device, _ = self.peel(device="geforce-fx-5950")
+        for run in (mesa, device):
+            self.assertIn("Unable to find a valid OpenGL 3.2 or later implementation", run.errors)
+        self.assertEqual(device.status, mesa.status)
+        self.assertTrue(device.layers_report().contexts()[0]["version"].startswith("1.5"))
 
 
 if __name__ == "__main__":

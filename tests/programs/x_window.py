@@ -13,7 +13,10 @@ POLL_INTERVAL_S = 0.05
 
 
 class Window:
-    """The top-level window of a given size: sizes are chosen so that no other program has the same."""
+    """The top-level window of a given size: sizes are chosen so that no other program has the same.
+
+    Use as a context manager: it ends the connection to the server.
+    """
 
     def __init__(self, size, timeout_s=30):
         """Wait until a window of exactly `size` (width, height) is on the screen."""
@@ -25,6 +28,12 @@ class Window:
                 raise TimeoutError(f"no window of {size[0]}x{size[1]} appeared")
             time.sleep(POLL_INTERVAL_S)
         self.window = window
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *unused):
+        self.display.close()
 
     def _find(self):
         root = self.display.screen().root
@@ -61,5 +70,6 @@ class Window:
         for kind, mask in ((event.KeyPress, X.KeyPressMask), (event.KeyRelease, X.KeyReleaseMask)):
             self.window.send_event(
                 kind(time=X.CurrentTime, root=self.display.screen().root, window=self.window, same_screen=1,
-                     child=X.NONE, root_x=0, root_y=0, event_x=1, event_y=1, state=0, detail=code), event_mask=mask)
+                     child=X.NONE, root_x=0, root_y=0, event_x=1, event_y=1, state=0, detail=code),
+                event_mask=mask)
         self.display.flush()

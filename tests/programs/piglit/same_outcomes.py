@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Piglit's outcomes under `device=mesa` are those without the layer: each test and each subtest, in both
-directions.
+"""Piglit's outcomes under `device=mesa` are those without the layer: each test, each subtest, both directions.
+
+  same_outcomes.py [CLOCK]        CLOCK as in GLEXT_EMU: the same has to hold for results that come late
 
 Each test is run bare and under the layer right after each other, so that both see the same machine. Where the
 two differ, the bare one is run some more: where Mesa itself gives the layer's outcome too, the test is named
@@ -25,9 +26,9 @@ EXPECTED_TESTS = 52
 BARE_AGAIN = 5  # runs without the layer that a difference has to be explained by
 
 
-def layer_environment(report):
+def layer_environment(report, clock):
     return dict(run_piglit.piglit_environment(), LD_PRELOAD=os.environ["GLEXT_EMU_LAYER"],
-                GLEXT_EMU=f"device=mesa,report={report}")
+                GLEXT_EMU=f"device=mesa,clock={clock},report={report}")
 
 
 def was_reported(report):
@@ -37,11 +38,11 @@ def was_reported(report):
     return any(record["kind"] == "context" for record in json.loads(report.read_text())["records"])
 
 
-def run_pair(job, folder):
+def run_pair(job, clock, folder):
     """One test bare and under the layer: (bare, layer, whether the layer reported a context)."""
     report = pathlib.Path(folder, f"{job.mode}-{job.name}.json".replace("/", "_"))
     bare = run_piglit.run_job(job, run_piglit.piglit_environment())
-    layer = run_piglit.run_job(job, layer_environment(report))
+    layer = run_piglit.run_job(job, layer_environment(report, clock))
     return bare, layer, was_reported(report)
 
 
@@ -68,6 +69,7 @@ def main():
     if not os.environ.get("DISPLAY"):
         print("no DISPLAY: skipped")
         sys.exit(SKIP)
+    clock = sys.argv[1] if len(sys.argv) == 2 else "none"
     jobs = run_piglit.read_jobs("both")
     if len({job.name for job in jobs}) != EXPECTED_TESTS:
         sys.exit(f"piglit_core.tsv lists {len({job.name for job in jobs})} tests, not {EXPECTED_TESTS}")
@@ -75,13 +77,13 @@ def main():
     started = time.monotonic()
     wrong, notes = [], []
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        pairs = list(pool.map(lambda job: run_pair(job, folder), jobs))
+        pairs = list(pool.map(lambda job: run_pair(job, clock, folder), jobs))
         for job, pair in zip(jobs, pairs):
             sentences, note = judge(job, pair)
             wrong += sentences
             notes += [note] if note else []
     server.close()
-    for side, name in ((0, "without the layer"), (1, "under device=mesa")):
+    for side, name in ((0, "without the layer"), (1, f"under device=mesa, clock={clock}")):
         counts = collections.Counter(pair[side].result for pair in pairs)
         subtests = collections.Counter(result for pair in pairs for result in pair[side].subtests.values())
         print(f"{name}: {len(pairs)} runs of {EXPECTED_TESTS} tests, {dict(counts)}; subtests {dict(subtests)}")
