@@ -74,6 +74,27 @@ TEST_F(DisplayLists, a_get_of_the_result_is_executed_at_once_and_not_compiled) {
     EXPECT_TRUE(read_result()) << "the Get was compiled";
 }
 
+// HP-66, of a list that is executed too: each Get sees and clears what was drawn up to it.
+TEST_F(DisplayLists, a_get_between_commands_that_are_compiled_and_executed_sees_what_they_drew) {
+    draw_occluder();
+    glDepthMask(GL_FALSE);
+    const GLuint list = compile(
+        [] {
+            glEnable(GL_OCCLUSION_TEST_HP);
+            draw_rect(kWhole, kFar);
+            EXPECT_FALSE(read_result());
+            draw_rect(kWhole, kNear);
+            EXPECT_TRUE(read_result());
+            draw_rect(kWhole, kFar);
+            EXPECT_FALSE(read_result());
+            glDisable(GL_OCCLUSION_TEST_HP);
+        },
+        GL_COMPILE_AND_EXECUTE);
+    EXPECT_FALSE(read_result());
+    glCallList(list);
+    EXPECT_TRUE(read_result());
+}
+
 // HP-67.
 TEST_F(DisplayLists, draws_in_lists_count_like_direct_ones) {
     draw_occluder();

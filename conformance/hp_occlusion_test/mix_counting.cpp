@@ -44,6 +44,12 @@ TEST_F(MixCounting, begin_resets_the_result) {
     EXPECT_FALSE(read_result());
     query.end();
     EXPECT_EQ(query.result(), 0u);
+
+    const Query next;
+    EXPECT_EQ(query.count([] { draw_area(8); }), 64u);
+    next.begin();
+    EXPECT_FALSE(read_result()) << "what an earlier query counted";
+    next.end();
 }
 
 // MIX-06. As above: "not EndQueryARB".
