@@ -15,6 +15,8 @@ ROOT = Path(__file__).resolve().parents[2]
 QUICK = {"frames": 6, "scale": 0.05, "latencies": [0, 50], "rounds": 1}
 FULL = {"frames": 40, "scale": 1.0, "latencies": [0, 5, 50, 200], "rounds": 3}
 SIZE = "640x480"
+# Where on the path the pictures are drawn: above the roofs, along a street.
+PICTURE_AT = 0.55
 # Mesa's llvmpipe starts at most 16 threads. With none, a query has no thread to wake: small ones cost less.
 MOST_THREADS = 16
 THREADS = 0
@@ -102,7 +104,7 @@ def main(arguments):
         rounds=options.rounds, size=SIZE, environment=environment_of(options),
     )  # fmt: skip
     matrix = build_matrix(options.latencies)
-    image_frame = options.frames // 3
+    image_frame = int(PICTURE_AT * options.frames)
     progress = Progress(matrix, options.rounds)
     measured, failures = measure(matrix, settings, image_frame, progress)
     progress.close()
