@@ -12,7 +12,7 @@ from .progress import Progress
 from .runs import Settings, measure
 
 ROOT = Path(__file__).resolve().parents[2]
-QUICK = {"frames": 6, "scale": 0.05, "latencies": [0, 50], "rounds": 1}
+QUICK = {"frames": 8, "scale": 0.15, "latencies": [0, 50], "rounds": 1}
 FULL = {"frames": 40, "scale": 1.0, "latencies": [0, 5, 50, 200], "rounds": 3}
 SIZE = "640x480"
 # Where on the path the pictures are drawn: above the roofs, along a street.
