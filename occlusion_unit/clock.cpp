@@ -63,7 +63,9 @@ Tick Clock::now() const {
     return 0;
 }
 
-Tick Clock::span() const { return latency_.kind == ClockKind::kWall ? latency_.amount * 1000 : latency_.amount; }
+Tick Clock::span() const {
+    return latency_.kind == ClockKind::kWall ? latency_.amount * 1000 : latency_.amount;
+}
 
 void Clock::count_swap() {
     ++frames_;

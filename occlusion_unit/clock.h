@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// When a result that the hardware has computed may be seen by the program: the latency of the emulated machine.
+// When a result that the hardware has computed may be seen by the program: the latency of the emulated
+// machine.
 //
 //   none       as soon as the driver has it
 //   wall=US    US microseconds after the query's end; a blocking read really stalls
-//   calls=N    N hooked calls after it; deterministic, a blocking read returns at once and moves the clock to due
-//   frames=N   N buffer swaps after it; likewise, and 1,000 polls without a swap count as one
+//   calls=N    N hooked calls after it; deterministic, a blocking read returns at once and moves the clock to
+//   due frames=N   N buffer swaps after it; likewise, and 1,000 polls without a swap count as one
 //
 // Due times never fall, so results become available in the order in which their queries ended.
 #pragma once
@@ -47,8 +48,8 @@ class Clock {
 
     // When a query that ends now is due.
     Tick due() const { return now() + span(); }
-    // The program asks whether a result is there. Under frames, polling alone moves the clock too, so that a program
-    // that waits for a result before it swaps goes on.
+    // The program asks whether a result is there. Under frames, polling alone moves the clock too, so that a
+    // program that waits for a result before it swaps goes on.
     bool poll(Tick due);
     // True once the clock has reached <due>; moves nothing.
     bool reached(Tick due) const { return now() >= due; }

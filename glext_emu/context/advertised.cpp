@@ -14,23 +14,35 @@ std::string_view string_or_empty(const GLubyte* text) {
     return text == nullptr ? "" : reinterpret_cast<const char*>(text);
 }
 
-std::vector<std::string> driver_extensions(Context& ctx) {
-    std::vector<std::string> names;
-    if (ctx.kind.version >= GlVersion{3, 0}) {
-        GLint count = 0;
-        ctx.real->glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-        for (GLint i = 0; i < count; ++i) {
-            names.emplace_back(string_or_empty(ctx.real->glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))));
-        }
-        return names;
+std::vector<std::string> words_of(std::string_view text) {
+    std::vector<std::string> words;
+    while (!text.empty()) {
+        const std::string_view word = text.substr(0, text.find(' '));
+        if (!word.empty()) words.emplace_back(word);
+        text.remove_prefix(std::min(text.size(), word.size() + 1));
     }
-    std::string_view rest = string_or_empty(ctx.real->glGetString(GL_EXTENSIONS));
-    while (!rest.empty()) {
-        const std::string_view name = rest.substr(0, rest.find(' '));
-        if (!name.empty()) names.emplace_back(name);
-        rest.remove_prefix(std::min(rest.size(), name.size() + 1));
+    return words;
+}
+
+std::vector<std::string> indexed_extensions(Context& ctx) {
+    std::vector<std::string> names;
+    GLint count = 0;
+    ctx.real->glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        names.emplace_back(string_or_empty(ctx.real->glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i))));
     }
     return names;
+}
+
+// Takes out what the device hides, adds what it supplies; true where that changed anything.
+bool edit(std::vector<std::string>& names, const Device& device) {
+    bool has_changed = std::erase_if(names, [&](const std::string& name) { return device.hides(name); }) != 0;
+    for (const std::string& name : device.emulate) {
+        if (std::ranges::find(names, name) != names.end()) continue;
+        names.push_back(name);
+        has_changed = true;
+    }
+    return has_changed;
 }
 
 // "4.5 (Compatibility Profile) Mesa 22.3.6" -> "1.5 Mesa 22.3.6": profiles came with 3.2.
@@ -69,7 +81,11 @@ const Advertised* advertise(Context& ctx, const Device& device) {
     const std::string_view driver_version = string_or_empty(ctx.real->glGetString(GL_VERSION));
     made.version = ctx.kind.version;
     made.version_string = driver_version;
-    made.extensions = driver_extensions(ctx);
+    // The string and the indexed list need not have the same order: old programs look at the string's first
+    // part only.
+    std::vector<std::string> words;
+    if (!ctx.kind.is_core_profile) words = words_of(string_or_empty(ctx.real->glGetString(GL_EXTENSIONS)));
+    made.extensions = ctx.kind.version >= GlVersion{3, 0} ? indexed_extensions(ctx) : words;
     // A device speaks of compatibility contexts; core-profile and ES contexts are as the driver makes them.
     if (ctx.kind.is_compatibility()) {
         if (device.gl_version && *device.gl_version < ctx.kind.version) {
@@ -78,25 +94,20 @@ const Advertised* advertise(Context& ctx, const Device& device) {
             made.version_string = version_string(driver_version, made.version);
             made.shading_language = shading_language(made.version);
         }
-        const std::size_t before = made.extensions.size();
-        std::erase_if(made.extensions, [&](const std::string& name) { return device.hides(name); });
-        made.extensions_differ = made.extensions.size() != before;
-        for (const std::string& name : device.emulate) {
-            if (made.has(name)) continue;
-            made.extensions.push_back(name);
-            made.extensions_differ = true;
-        }
+        made.extensions_differ = edit(made.extensions, device);
+        edit(words, device);
     }
-    for (const std::string& name : made.extensions) {
+    for (const std::string& word : words) {
         if (!made.extension_string.empty()) made.extension_string += ' ';
-        made.extension_string += name;
+        made.extension_string += word;
     }
 
     static std::mutex mutex;
     static auto* const all = new std::deque<Advertised>;
     const std::lock_guard lock(mutex);
     const auto same = std::ranges::find_if(*all, [&](const Advertised& other) {
-        return other.version_string == made.version_string && other.extension_string == made.extension_string &&
+        return other.version_string == made.version_string && other.extensions == made.extensions &&
+               other.extension_string == made.extension_string &&
                other.extensions_differ == made.extensions_differ;
     });
     return same != all->end() ? &*same : &all->emplace_back(std::move(made));

@@ -16,12 +16,12 @@ struct Context;
 
 struct Advertised {
     bool version_differs = false;
-    GlVersion version;                // the device's where it states one, else the driver's
+    GlVersion version;  // the device's where it states one, else the driver's
     std::string version_string;
-    std::string shading_language;     // empty: as the driver
+    std::string shading_language;  // empty: as the driver
     bool extensions_differ = false;
-    std::vector<std::string> extensions;  // in the driver's order, what is emulated last
-    std::string extension_string;         // the same, separated by single spaces
+    std::vector<std::string> extensions;  // in the driver's order of GetStringi, what is emulated last
+    std::string extension_string;  // in the driver's order of GetString, likewise; empty in core profiles
 
     bool has(std::string_view extension) const;
 };

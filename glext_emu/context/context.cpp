@@ -24,6 +24,7 @@ void Context::update_hot() {
     hot = always_hot;
     if (pending_error != GL_NO_ERROR) hot |= kHotError;
     if (slot.wants_segment()) hot |= kHotDraw;
+    if (recording.name != 0) hot |= kHotGet;  // LIST_INDEX
     if (current.context == this) current.hot = hot;
 }
 
@@ -37,7 +38,8 @@ void Context::raise(GLenum code) {
 }
 
 OwnCalls::OwnCalls(Context& ctx) : ctx_(ctx) {
-    if (ctx_.own_calls++ == 0 && ctx_.pending_error == GL_NO_ERROR) ctx_.pending_error = ctx_.real->glGetError();
+    if (ctx_.own_calls++ == 0 && ctx_.pending_error == GL_NO_ERROR)
+        ctx_.pending_error = ctx_.real->glGetError();
 }
 
 OwnCalls::~OwnCalls() {

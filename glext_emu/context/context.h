@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the layer remembers of one GL context. Only the thread in which it is current touches it, so nothing here is
-// locked; what contexts of a share group have in common is ShareGroup.
+// What the layer remembers of one GL context. Only the thread in which it is current touches it, so nothing
+// here is locked; what contexts of a share group have in common is ShareGroup.
 #pragma once
 
 #include <GL/gl.h>
@@ -32,11 +32,11 @@ struct SavedEnable {
 struct ContextKind {
     bool is_es = false;
     bool is_core_profile = false;
-    GlVersion version;            // the driver's
-    bool has_any_samples = false; // ANY_SAMPLES_PASSED is a target of the driver's
+    GlVersion version;             // the driver's
+    bool has_any_samples = false;  // ANY_SAMPLES_PASSED is a target of the driver's
     bool has_query_buffer = false;
     bool is_no_error = false;
-    GLint attrib_stack_depth = 0; // compatibility contexts only
+    GLint attrib_stack_depth = 0;  // compatibility contexts only
 
     bool is_compatibility() const { return !is_es && !is_core_profile; }
 };
@@ -63,7 +63,7 @@ struct Context {
 
     std::uint32_t hot = 0;
     GLenum pending_error = GL_NO_ERROR;  // returned by the next GetError, before the driver's
-    int own_calls = 0;  // nested OwnCalls scopes
+    int own_calls = 0;                   // nested OwnCalls scopes
     bool inside_begin_end = false;
     ListRecording recording;
     std::vector<SavedEnable> attrib_stack;
@@ -72,8 +72,8 @@ struct Context {
     FrameCounts frame;
 };
 
-// The layer's own calls of the driver in the midst of the program's: an error that the program has pending survives
-// them, an error of theirs is not seen. Never between Begin and End.
+// The layer's own calls of the driver in the midst of the program's: an error that the program has pending
+// survives them, an error of theirs is not seen. Never between Begin and End.
 class OwnCalls {
   public:
     explicit OwnCalls(Context& ctx);

@@ -54,6 +54,16 @@ GLint get(const Context& ctx, GLenum name) {
     return value;
 }
 
+// OpenGL 3.1 had no profiles: what is no compatibility context lacks this extension.
+bool has_compatibility_extension(const Context& ctx) {
+    for (GLint i = get(ctx, GL_NUM_EXTENSIONS); i-- > 0;) {
+        const GLubyte* name = ctx.real->glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+        if (name != nullptr && std::strcmp(reinterpret_cast<const char*>(name), "GL_ARB_compatibility") == 0)
+            return true;
+    }
+    return false;
+}
+
 ContextKind read_kind(const Context& ctx) {
     ContextKind kind;
     const auto* version = reinterpret_cast<const char*>(ctx.real->glGetString(GL_VERSION));
@@ -64,6 +74,7 @@ ContextKind read_kind(const Context& ctx) {
     if (kind.version >= GlVersion{3, 2}) {
         kind.is_core_profile = (get(ctx, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
     }
+    if (kind.version == GlVersion{3, 1}) kind.is_core_profile = !has_compatibility_extension(ctx);
     if (kind.version >= GlVersion{3, 0}) {
         kind.is_no_error = (get(ctx, GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_NO_ERROR_BIT) != 0;
     }
@@ -87,13 +98,9 @@ std::uint32_t always_hot(const Context& ctx) {
 void initialise(Context& ctx) {
     ctx.kind = read_kind(ctx);
     ctx.advertised = advertise(ctx, settings().device);
-    // OpenGL 3.1 had no profiles: without ARB_compatibility it is a core context.
-    if (!ctx.kind.is_es && ctx.kind.version == GlVersion{3, 1} && !ctx.advertised->has("GL_ARB_compatibility")) {
-        ctx.kind.is_core_profile = true;
-    }
     const bool is_desktop = !ctx.kind.is_es;
-    ctx.kind.has_any_samples = is_desktop && (ctx.kind.version >= GlVersion{3, 3} ||
-                                              ctx.advertised->has("GL_ARB_occlusion_query2"));
+    ctx.kind.has_any_samples =
+        is_desktop && (ctx.kind.version >= GlVersion{3, 3} || ctx.advertised->has("GL_ARB_occlusion_query2"));
     ctx.kind.has_query_buffer = is_desktop && (ctx.kind.version >= GlVersion{4, 4} ||
                                                ctx.advertised->has("GL_ARB_query_buffer_object"));
     if (ctx.kind.is_compatibility()) ctx.kind.attrib_stack_depth = get(ctx, GL_MAX_ATTRIB_STACK_DEPTH);
@@ -102,7 +109,8 @@ void initialise(Context& ctx) {
     ctx.is_initialised = true;
     Report::instance().begin_context(ctx);
     doctor_note(("context: " + std::string(ctx.platform) + ", OpenGL " + ctx.advertised->version_string +
-                 (ctx.kind.is_core_profile ? ", core profile" : "")).c_str());
+                 (ctx.kind.is_core_profile ? ", core profile" : ""))
+                    .c_str());
 }
 
 }  // namespace
@@ -110,7 +118,8 @@ void initialise(Context& ctx) {
 void context_created(const char* platform, const RealGl& real, const void* handle, const void* share) {
     const std::lock_guard lock(contexts().mutex);
     const auto shared = contexts().by_handle.find(share);
-    auto group = shared != contexts().by_handle.end() ? shared->second->share_group : std::make_shared<ShareGroup>();
+    auto group =
+        shared != contexts().by_handle.end() ? shared->second->share_group : std::make_shared<ShareGroup>();
     auto* made = new Context(platform, &real, std::move(group));
     Context*& entry = contexts().by_handle[handle];
     release(std::exchange(entry, made));
@@ -122,7 +131,9 @@ Context* forget_context(const void* handle) {
     return node.empty() ? nullptr : node.mapped();
 }
 
-void end_context(Context* ctx) { release(ctx); }
+void end_context(Context* ctx) {
+    release(ctx);
+}
 
 void restore_context(const void* handle, Context* ctx) {
     if (ctx == nullptr) return;
@@ -131,8 +142,8 @@ void restore_context(const void* handle, Context* ctx) {
 }
 
 void context_leaves_thread() {
-    // A context that is destroyed with a query still active crashes llvmpipe, whose rasteriser writes into it; the
-    // program knows of no query, so it is not the one to blame. The next draw opens another segment.
+    // A context that is destroyed with a query still active crashes llvmpipe, whose rasteriser writes into
+    // it; the program knows of no query, so it is not the one to blame. The next draw opens another segment.
     if (current.context != nullptr && !current.context->recording.is_open()) close_segment(*current.context);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The life of contexts: from the window system's handle to what the layer remembers. A handle is forgotten when its
-// context is destroyed, since its value may be used again; the context itself lives on while it is current somewhere.
+// The life of contexts: from the window system's handle to what the layer remembers. A handle is forgotten
+// when its context is destroyed, since its value may be used again; the context itself lives on while it is
+// current somewhere.
 #pragma once
 
 #include "context/context.h"
@@ -10,16 +11,16 @@ namespace glext_emu {
 // <share> is the handle of a context to share with, or null.
 void context_created(const char* platform, const RealGl& real, const void* handle, const void* share);
 
-// Takes <handle> out before the driver destroys its context: from then on its value may be given to a new one. What is
-// returned goes to end_context, or back where the driver refused.
+// Takes <handle> out before the driver destroys its context: from then on its value may be given to a new
+// one. What is returned goes to end_context, or back where the driver refused.
 Context* forget_context(const void* handle);
 void end_context(Context* ctx);
 void restore_context(const void* handle, Context* ctx);
 
 // The thread's context may leave it, by MakeCurrent, ReleaseThread or Terminate: called before the driver is.
 void context_leaves_thread();
-// The driver has made <handle> current in this thread; null: none. An unknown handle (a context made before the layer
-// was there) is taken up as new.
+// The driver has made <handle> current in this thread; null: none. An unknown handle (a context made before
+// the layer was there) is taken up as new.
 void context_made_current(const char* platform, const RealGl& real, const void* handle);
 // The driver has copied the state groups of <mask> from one context to another (glXCopyContext).
 void context_copied(const void* from, const void* to, GLbitfield mask);

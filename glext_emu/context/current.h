@@ -12,9 +12,9 @@ namespace glext_emu {
 struct Context;
 
 struct Current {
-    std::uint32_t hot = 0;            // classes of commands that need the slow path
-    const RealGl* real = nullptr;     // never null while GL can be called: see default_real
-    Context* context = nullptr;       // never null while hot is not zero
+    std::uint32_t hot = 0;         // classes of commands that need the slow path
+    const RealGl* real = nullptr;  // never null while GL can be called: see default_real
+    Context* context = nullptr;    // never null while hot is not zero
 };
 
 // Initial-exec: one load relative to the thread pointer, no call.

@@ -42,8 +42,8 @@ class Reader {
     void allow_only(std::span<const std::string_view> keys) {
         for (const auto& [key, value] : table_) {
             if (std::ranges::find(keys, key.str()) != keys.end()) continue;
-            complain(key.source().begin.line, "unknown key `" + std::string(key.str()) + "`, expected one of " +
-                                                  quoted_list(keys));
+            complain(key.source().begin.line,
+                     "unknown key `" + std::string(key.str()) + "`, expected one of " + quoted_list(keys));
         }
     }
 
@@ -123,7 +123,9 @@ bool Device::emulates(std::string_view extension) const {
     return std::ranges::find(emulate, extension) != emulate.end();
 }
 
-bool Device::hides(std::string_view extension) const { return std::ranges::find(hide, extension) != hide.end(); }
+bool Device::hides(std::string_view extension) const {
+    return std::ranges::find(hide, extension) != hide.end();
+}
 
 bool Device::is_pass_through() const {
     return !gl_version && emulate.empty() && hide.empty() && !counter_bits;
@@ -159,7 +161,8 @@ DeviceOrError parse_device(std::string_view text, std::string_view file) {
     if (!version.empty()) {
         device.gl_version = parse_version(version);
         if (!device.gl_version) {
-            root.complain(root.line_of("gl_version"), "`gl_version` is not a version from \"1.0\" to \"4.6\"");
+            root.complain(root.line_of("gl_version"),
+                          "`gl_version` is not a version from \"1.0\" to \"4.6\"");
         }
     }
     if (const toml::table* table = root.table("extensions")) {

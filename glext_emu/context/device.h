@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A device: which occlusion hardware the program is to believe in. Read from TOML; the built-in ones are part of the
-// library, a user's own is a file.
+// A device: which occlusion hardware the program is to believe in. Read from TOML; the built-in ones are part
+// of the library, a user's own is a file.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ struct Device {
     std::optional<GlVersion> gl_version;  // of compatibility contexts; the driver's where absent
     std::vector<std::string> emulate;     // extensions that the driver lacks and the layer supplies
     std::vector<std::string> hide;        // extensions that the program is not to see
-    std::optional<int> counter_bits;      // width of the samples-passed counter, 1..64; the driver's where absent
+    std::optional<int> counter_bits;  // width of the samples-passed counter, 1..64; the driver's where absent
 
     bool emulates(std::string_view extension) const;
     bool hides(std::string_view extension) const;

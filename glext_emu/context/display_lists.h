@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Display lists that hold emulated operations. The driver knows nothing of those, so such a list is split: a recipe of
-// the driver's lists with our operations between them. Lists without one stay the driver's alone.
+// Display lists that hold emulated operations. The driver knows nothing of those, so such a list is split: a
+// recipe of the driver's lists with our operations between them. Lists without one stay the driver's alone.
 #pragma once
 
 #include <GL/gl.h>
@@ -34,7 +34,7 @@ using ListRecipe = std::vector<ListStep>;
 struct ShareGroup {
     std::mutex mutex;
     std::map<GLuint, std::shared_ptr<const ListRecipe>> recipes;  // by the program's name
-    std::set<GLuint> hidden_lists;                                // names of the driver's that the program never sees
+    std::set<GLuint> hidden_lists;  // names of the driver's that the program never sees
 };
 
 // The list that is being compiled.

@@ -46,8 +46,9 @@ GLuint64 read_result(Context& ctx, GLuint query) {
 }
 
 bool OcclusionSlot::is_hidden(GLuint name) const {
-    return name != 0 && (name == open_segment || std::ranges::find(unread_segments, name) != unread_segments.end() ||
-                         std::ranges::find(spare, name) != spare.end());
+    return name != 0 &&
+           (name == open_segment || std::ranges::find(unread_segments, name) != unread_segments.end() ||
+            std::ranges::find(spare, name) != spare.end());
 }
 
 void open_segment(Context& ctx) {
@@ -82,7 +83,8 @@ bool take_flag(Context& ctx) {
     OcclusionSlot& slot = ctx.slot;
     close_segment(ctx);
     if (slot.app_query != 0) {
-        // NV_occlusion_query 6.1.13: with the result the pixel counter is reset, so the program's query starts anew.
+        // NV_occlusion_query 6.1.13: with the result the pixel counter is reset, so the program's query
+        // starts anew.
         const OwnCalls own(ctx);
         ctx.real->glEndQuery(slot.app_target);
         slot.flag = read_result(ctx, slot.app_query) != 0 || slot.flag;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The driver has one slot for occlusion queries; the program's query objects and the HP test's flag share it. The texts
-// of NV_occlusion_query (4.1.6A) and ARB_occlusion_query ("Dependencies on HP_occlusion_test") know one counter, so the
-// two never count apart: a program's query holds the slot while it is active, hidden segments of the HP test hold it
-// otherwise, and the flag is the OR over the segments and over the program's queries since it was last read or reset.
+// The driver has one slot for occlusion queries; the program's query objects and the HP test's flag share it.
+// The texts of NV_occlusion_query (4.1.6A) and ARB_occlusion_query ("Dependencies on HP_occlusion_test") know
+// one counter, so the two never count apart: a program's query holds the slot while it is active, hidden
+// segments of the HP test hold it otherwise, and the flag is the OR over the segments and over the program's
+// queries since it was last read or reset.
 #pragma once
 
 #include <GL/gl.h>
@@ -39,14 +40,14 @@ struct OcclusionSlot {
 
     // The HP test: enable and flag.
     bool test_enabled = false;
-    bool flag = false;             // TRUE already, whatever is unread
-    GLuint ended_app_query = 0;    // ended since the last read or reset: counts towards the flag
+    bool flag = false;           // TRUE already, whatever is unread
+    GLuint ended_app_query = 0;  // ended since the last read or reset: counts towards the flag
     occlusion_unit::Tick flag_due = 0;
 
     // Hidden queries of the test; none of these names shows to the program.
-    GLuint open_segment = 0;             // active now
-    std::vector<GLuint> unread_segments; // ended, count towards the flag
-    std::vector<GLuint> spare;           // free for reuse
+    GLuint open_segment = 0;              // active now
+    std::vector<GLuint> unread_segments;  // ended, count towards the flag
+    std::vector<GLuint> spare;            // free for reuse
 
     bool is_hidden(GLuint name) const;
     // True when a draw has to open a segment first.

@@ -7,7 +7,8 @@ namespace glext_emu {
 namespace {
 
 bool is_absent(const Context& ctx, std::string_view extension, GlVersion core_since) {
-    return ctx.kind.is_compatibility() && settings().device.hides(extension) && ctx.advertised->version < core_since;
+    return ctx.kind.is_compatibility() && settings().device.hides(extension) &&
+           ctx.advertised->version < core_since;
 }
 
 }  // namespace

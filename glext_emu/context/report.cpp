@@ -54,13 +54,14 @@ bool write_all(int file, const std::string& text, off_t at) {
     return true;
 }
 
-// <records> starts with a newline and has commas between its records. Nothing is written over a file that is not a
-// report.
+// <records> starts with a newline and has commas between its records. Nothing is written over a file that is
+// not a report.
 const char* append_to_file(int file, const std::string& records) {
     const off_t size = lseek(file, 0, SEEK_END);
     if (size == 0) return write_all(file, kHead + records + kTail, 0) ? nullptr : "cannot be written";
     char tail[kTailLength];
-    if (size < kHeadLength + kTailLength || pread(file, tail, kTailLength, size - kTailLength) != kTailLength ||
+    if (size < kHeadLength + kTailLength ||
+        pread(file, tail, kTailLength, size - kTailLength) != kTailLength ||
         std::memcmp(tail, kTail, kTailLength) != 0) {
         return "is not a report, so nothing is written to it";
     }
@@ -106,9 +107,10 @@ void Report::add_frame(Context& ctx) {
     std::snprintf(stall_ms, sizeof stall_ms, "%.6f", static_cast<double>(frame.stall_ns) * 1e-6);
     append("{\"kind\":\"frame\",\"pid\":" + std::to_string(getpid()) +
            ",\"context\":" + std::to_string(ctx.number) + ",\"frame\":" + std::to_string(frame.index) +
-           ",\"queries_begun\":" + std::to_string(frame.queries_begun) + ",\"polls\":" + std::to_string(frame.polls) +
-           ",\"waits\":" + std::to_string(frame.waits) + ",\"stall_ms\":" + stall_ms +
-           ",\"results\":" + std::to_string(frame.results) + ",\"draws\":" + std::to_string(frame.draws) +
+           ",\"queries_begun\":" + std::to_string(frame.queries_begun) +
+           ",\"polls\":" + std::to_string(frame.polls) + ",\"waits\":" + std::to_string(frame.waits) +
+           ",\"stall_ms\":" + stall_ms + ",\"results\":" + std::to_string(frame.results) +
+           ",\"draws\":" + std::to_string(frame.draws) +
            ",\"triangles\":" + (frame.triangles_are_known ? std::to_string(frame.triangles) : "null") + "}");
 }
 
@@ -164,7 +166,9 @@ void Report::flush_at_exit() {
 namespace {
 
 // The last frame of a program that leaves its contexts to the end.
-__attribute__((destructor)) void at_exit() { Report::flush_at_exit(); }
+__attribute__((destructor)) void at_exit() {
+    Report::flush_at_exit();
+}
 
 }  // namespace
 

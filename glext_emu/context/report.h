@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The report: one JSON object that is valid at any time, however the program ends. Each write replaces the closing
-// brackets by new records and the brackets again, under a lock, so that processes of one run can share a file:
+// The report: one JSON object that is valid at any time, however the program ends. Each write replaces the
+// closing brackets by new records and the brackets again, under a lock, so that processes of one run can
+// share a file:
 //
 //   {"glext_emu_report":1,"records":[
 //   {"kind":"context","pid":..,"program":..,"context":..,"platform":..,"device":..,"clock":..,"renderer":..,"version":..},

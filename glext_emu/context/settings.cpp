@@ -43,7 +43,8 @@ SettingsOrError parse_settings(const char* text) {
         } else if (key == "doctor") {
             settings.doctor_path = value;
         } else {
-            result.error = "`" + std::string(item) + "` is not a setting, expected device=, clock= or report=.";
+            result.error =
+                "`" + std::string(item) + "` is not a setting, expected device=, clock= or report=.";
             return result;
         }
     }

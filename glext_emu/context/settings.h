@@ -36,8 +36,9 @@ struct SettingsOrError {
 // <text> is the value of GLEXT_EMU, null where it is unset.
 SettingsOrError parse_settings(const char* text);
 
-// The settings of this process, read once. A wrong setting is told in one sentence on stderr and ends the program with
-// status 2 before it has a context: it must not believe in results of a machine that is not there.
+// The settings of this process, read once. A wrong setting is told in one sentence on stderr and ends the
+// program with status 2 before it has a context: it must not believe in results of a machine that is not
+// there.
 const Settings& settings();
 
 }  // namespace glext_emu

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The wrappers, generated from hooks.list: a program's call arrives here and goes on to features/, or straight to the
-// driver where the context's hot word says that nobody is interested.
+// The wrappers, generated from hooks.list: a program's call arrives here and goes on to features/, or
+// straight to the driver where the context's hot word says that nobody is interested.
 #pragma once
 
 #include <cstddef>

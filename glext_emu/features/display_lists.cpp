@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Display lists. A list that holds emulated operations becomes a recipe: the driver's lists with our operations between
-// them. Where emulated operations can occur, a nested CallList counts as one, since the inner list may hold some by the
-// time it is called.
+// Display lists. A list that holds emulated operations becomes a recipe: the driver's lists with our
+// operations between them. Where emulated operations can occur, a nested CallList counts as one, since the
+// inner list may hold some by the time it is called.
 #include "features/features.h"
 #include "features/list_recorder.h"
 
@@ -15,7 +15,9 @@ namespace {
 constexpr int kDeepestNesting = 64;
 thread_local constinit int nesting __attribute__((tls_model("initial-exec"))) = 0;
 
-bool splits_lists(const Context& ctx) { return ctx.emulates_test || ctx.clock.delays(); }
+bool splits_lists(const Context& ctx) {
+    return ctx.emulates_test || ctx.clock.delays();
+}
 
 GLuint make_hidden_list(Context& ctx) {
     const OwnCalls own(ctx);
@@ -84,7 +86,8 @@ void execute(Context& ctx, GLuint list) {
     --nesting;
 }
 
-// GL 4.6 compatibility, 21.4, table 21.3: the offset that element <i> of <lists> holds; nothing for an unknown <type>.
+// GL 4.6 compatibility, 21.4, table 21.3: the offset that element <i> of <lists> holds; nothing for an
+// unknown <type>.
 std::size_t element_size(GLenum type) {
     switch (type) {
         case GL_BYTE:
@@ -173,6 +176,7 @@ void new_list(Context& ctx, GLuint list, GLenum mode) {
     if (is_hidden(ctx, list)) ctx.recording.segment = make_hidden_list(ctx);
     open_segment_ahead(ctx);
     ctx.real->glNewList(ctx.recording.segment, mode);
+    ctx.update_hot();
 }
 
 void end_list(Context& ctx) {
@@ -180,6 +184,7 @@ void end_list(Context& ctx) {
 
     ListRecording done = std::exchange(ctx.recording, {});
     ctx.real->glEndList();
+    ctx.update_hot();
     forget_recipe(ctx, done.name);
     if (done.steps.empty() && done.segment == done.name) return;
     done.steps.push_back({done.segment, {}});
@@ -229,7 +234,8 @@ void delete_lists(Context& ctx, GLuint list, GLsizei range) {
         for (auto r = group.recipes.lower_bound(list); r != group.recipes.end() && r->first <= last; ++r) {
             recipes.push_back(r->first);
         }
-        for (auto h = group.hidden_lists.lower_bound(list); h != group.hidden_lists.end() && *h <= last; ++h) {
+        for (auto h = group.hidden_lists.lower_bound(list); h != group.hidden_lists.end() && *h <= last;
+             ++h) {
             kept.push_back(*h);
         }
     }
@@ -241,7 +247,6 @@ void delete_lists(Context& ctx, GLuint list, GLsizei range) {
     if (list <= last) ctx.real->glDeleteLists(list, static_cast<GLsizei>(last - list + 1));
     for (const GLuint name : recipes) forget_recipe(ctx, name);
 }
-
 
 GLboolean is_list(Context& ctx, GLuint list) {
     if (ctx.inside_begin_end) return ctx.real->glIsList(list);

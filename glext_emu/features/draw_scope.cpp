@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What happens before a draw: the HP test's segment is opened when the first draw needs it, so that enabling the test
-// costs nothing, and the report counts.
+// What happens before a draw: the HP test's segment is opened when the first draw needs it, so that enabling
+// the test costs nothing, and the report counts.
 #include "features/features.h"
 
 namespace glext_emu::features {
@@ -13,7 +13,9 @@ void count_draw(Context& ctx, Triangles triangles) {
 }
 
 // The modes that Begin accepts; with another it fails and no Begin/End pair is open.
-bool is_primitive(GLenum mode) { return mode <= GL_PATCHES; }
+bool is_primitive(GLenum mode) {
+    return mode <= GL_PATCHES;
+}
 
 }  // namespace
 
@@ -21,7 +23,8 @@ void before_draw(Context& ctx, Triangles triangles) {
     // A command that is only compiled draws nothing now; one between Begin and End is in error.
     if (ctx.recording.only_compiles() || ctx.inside_begin_end) return;
     count_draw(ctx, triangles);
-    // While a list is compiled and executed, the segment stands open already: opening it now would compile it.
+    // While a list is compiled and executed, the segment stands open already: opening it now would compile
+    // it.
     if (ctx.slot.wants_segment() && !ctx.recording.is_open()) open_segment(ctx);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The slow paths that the generated wrappers call, a chapter of the specification each. Every one of them refuses what
-// the texts refuse, remembers, and forwards to the driver, in that order.
+// The slow paths that the generated wrappers call, a chapter of the specification each. Every one of them
+// refuses what the texts refuse, remembers, and forwards to the driver, in that order.
 #pragma once
 
 #include "context/context.h"

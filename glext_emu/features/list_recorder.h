@@ -9,8 +9,8 @@ namespace glext_emu::features {
 // Compiles <operation> into the list; executes it too under COMPILE_AND_EXECUTE.
 void record(Context& ctx, ListOperation operation);
 
-// Inside this scope the driver executes the layer's own calls instead of compiling them. Does nothing where no list is
-// being compiled.
+// Inside this scope the driver executes the layer's own calls instead of compiling them. Does nothing where
+// no list is being compiled.
 class ListPause {
   public:
     explicit ListPause(Context& ctx);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// GL_HP_occlusion_test: one flag per context that any passing fragment sets and every Get clears. The text is in parts
-// silent; where it is, NV_occlusion_query 4.1.6A and 6.1.13 speak.
+// GL_HP_occlusion_test: one flag per context that any passing fragment sets and every Get clears. The text is
+// in parts silent; where it is, NV_occlusion_query 4.1.6A and 6.1.13 speak.
 #include "features/features.h"
 #include "features/list_recorder.h"
 #include "features/stall.h"
@@ -8,7 +8,9 @@
 namespace glext_emu::features {
 namespace {
 
-bool is_test(const Context& ctx, GLenum cap) { return ctx.emulates_test && cap == GL_OCCLUSION_TEST_HP; }
+bool is_test(const Context& ctx, GLenum cap) {
+    return ctx.emulates_test && cap == GL_OCCLUSION_TEST_HP;
+}
 
 void set_test(Context& ctx, bool is_enabled) {
     ctx.slot.test_enabled = is_enabled;
@@ -19,7 +21,8 @@ void set_test(Context& ctx, bool is_enabled) {
 }  // namespace
 
 void enable(Context& ctx, GLenum cap) {
-    // GL 4.6 compatibility, 10.7.5: between Begin and End the driver raises INVALID_OPERATION whatever <cap> is.
+    // GL 4.6 compatibility, 10.7.5: between Begin and End the driver raises INVALID_OPERATION whatever <cap>
+    // is.
     if (!is_test(ctx, cap) || ctx.inside_begin_end) return ctx.real->glEnable(cap);
     if (ctx.recording.is_open()) {
         return record(ctx, {[](Context& c, const ListOperation& op) { enable(c, op.first); }, cap});
@@ -42,7 +45,8 @@ GLboolean is_enabled(Context& ctx, GLenum cap) {
     return ctx.slot.test_enabled ? GL_TRUE : GL_FALSE;
 }
 
-// NV_occlusion_query, New State: OCCLUSION_TEST_HP belongs to the attribute group "enable", the result to none.
+// NV_occlusion_query, New State: OCCLUSION_TEST_HP belongs to the attribute group "enable", the result to
+// none.
 void push_attrib(Context& ctx, GLbitfield mask) {
     if (ctx.inside_begin_end || !ctx.emulates_test) return ctx.real->glPushAttrib(mask);
     if (ctx.recording.is_open()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Query objects: names, begin, end. The program's objects are the driver's own; what is remembered of them is when they
-// ended, for the clock and for the HP test's flag.
+// Query objects: names, begin, end. The program's objects are the driver's own; what is remembered of them is
+// when they ended, for the clock and for the HP test's flag.
 #include "context/refusals.h"
 #include "context/settings.h"
 #include "features/features.h"
@@ -26,7 +26,9 @@ GLuint active_query(Context& ctx, GLenum target) {
 
 }  // namespace
 
-void gen_queries(Context& ctx, GLsizei n, GLuint* ids) { ctx.real->glGenQueries(n, ids); }
+void gen_queries(Context& ctx, GLsizei n, GLuint* ids) {
+    ctx.real->glGenQueries(n, ids);
+}
 
 void create_queries(Context& ctx, GLenum target, GLsizei n, GLuint* ids) {
     if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
@@ -78,7 +80,8 @@ void begin_query(Context& ctx, GLenum target, GLuint id) {
     close_segment(ctx);
     ctx.real->glBeginQuery(target, id);
     if (id == 0 || active_query(ctx, target) != id) return ctx.update_hot();
-    // ARB_occlusion_query, issues: BeginQuery "resets the sample count (and therefore the occlusion test result)".
+    // ARB_occlusion_query, issues: BeginQuery "resets the sample count (and therefore the occlusion test
+    // result)".
     reset_flag(ctx);
     ctx.slot.app_query = id;
     ctx.slot.app_target = target;
@@ -128,7 +131,8 @@ void query_counter(Context& ctx, GLuint id, GLenum target) {
 
 void get_queryiv(Context& ctx, GLenum target, GLenum pname, GLint* params) {
     if (refuses_target(ctx, target) && !ctx.inside_begin_end) return ctx.raise(GL_INVALID_ENUM);
-    if (!is_occlusion_target(target) || params == nullptr) return ctx.real->glGetQueryiv(target, pname, params);
+    if (!is_occlusion_target(target) || params == nullptr)
+        return ctx.real->glGetQueryiv(target, pname, params);
 
     constexpr GLint kUntouched = -7;  // no width and no name
     GLint value = kUntouched;

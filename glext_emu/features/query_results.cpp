@@ -73,7 +73,9 @@ void get_query_object(Context& ctx, GLuint id, GLenum pname, T* params, void (*r
 }
 
 // A name that the program may use; zero, which the driver refuses, for one of the layer's.
-GLuint visible_name(const Context& ctx, GLuint id) { return ctx.slot.is_hidden(id) ? 0 : id; }
+GLuint visible_name(const Context& ctx, GLuint id) {
+    return ctx.slot.is_hidden(id) ? 0 : id;
+}
 
 }  // namespace
 

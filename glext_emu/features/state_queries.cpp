@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// State queries: versions, extensions, the HP test's two names, and the error flag. One answer serves all five Gets.
+// State queries: versions, extensions, the HP test's two names, and the error flag. One answer serves all
+// five Gets.
 #include "features/features.h"
 
 #include <type_traits>
@@ -47,11 +48,16 @@ Answer answer(Context& ctx, GLenum pname) {
             if (is_before_3_0) return {Answer::kRefuse};
             if (!advertised.extensions_differ) return {};
             return {Answer::kInstead, static_cast<GLint>(advertised.extensions.size())};
+        case GL_LIST_INDEX:
+            // The driver's list may be a part of the program's.
+            return ctx.recording.name != 0 ? Answer{Answer::kInstead, static_cast<GLint>(ctx.recording.name)}
+                                           : Answer{};
         case GL_CONTEXT_FLAGS:
             return is_before_3_0 ? Answer{Answer::kRefuse} : Answer{};
         case GL_CONTEXT_PROFILE_MASK:
-            return advertised.version_differs && advertised.version < GlVersion{3, 2} ? Answer{Answer::kRefuse}
-                                                                                      : Answer{};
+            return advertised.version_differs && advertised.version < GlVersion{3, 2}
+                       ? Answer{Answer::kRefuse}
+                       : Answer{};
         default:
             return {};
     }
@@ -70,7 +76,9 @@ void get(Context& ctx, GLenum pname, T* params, void (*real)(GLenum, T*)) {
     }
 }
 
-const GLubyte* as_gl_string(const std::string& text) { return reinterpret_cast<const GLubyte*>(text.c_str()); }
+const GLubyte* as_gl_string(const std::string& text) {
+    return reinterpret_cast<const GLubyte*>(text.c_str());
+}
 
 }  // namespace
 
@@ -78,15 +86,21 @@ void get_booleanv(Context& ctx, GLenum pname, GLboolean* params) {
     get(ctx, pname, params, ctx.real->glGetBooleanv);
 }
 
-void get_integerv(Context& ctx, GLenum pname, GLint* params) { get(ctx, pname, params, ctx.real->glGetIntegerv); }
+void get_integerv(Context& ctx, GLenum pname, GLint* params) {
+    get(ctx, pname, params, ctx.real->glGetIntegerv);
+}
 
 void get_integer64v(Context& ctx, GLenum pname, GLint64* params) {
     get(ctx, pname, params, ctx.real->glGetInteger64v);
 }
 
-void get_floatv(Context& ctx, GLenum pname, GLfloat* params) { get(ctx, pname, params, ctx.real->glGetFloatv); }
+void get_floatv(Context& ctx, GLenum pname, GLfloat* params) {
+    get(ctx, pname, params, ctx.real->glGetFloatv);
+}
 
-void get_doublev(Context& ctx, GLenum pname, GLdouble* params) { get(ctx, pname, params, ctx.real->glGetDoublev); }
+void get_doublev(Context& ctx, GLenum pname, GLdouble* params) {
+    get(ctx, pname, params, ctx.real->glGetDoublev);
+}
 
 const GLubyte* get_string(Context& ctx, GLenum name) {
     const GLubyte* const driver_string = ctx.real->glGetString(name);
@@ -96,7 +110,8 @@ const GLubyte* get_string(Context& ctx, GLenum name) {
     if (name == GL_SHADING_LANGUAGE_VERSION && advertised.version_differs) {
         return as_gl_string(advertised.shading_language);
     }
-    if (name == GL_EXTENSIONS && advertised.extensions_differ) return as_gl_string(advertised.extension_string);
+    if (name == GL_EXTENSIONS && advertised.extensions_differ)
+        return as_gl_string(advertised.extension_string);
     return driver_string;
 }
 

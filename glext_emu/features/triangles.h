@@ -15,12 +15,18 @@ struct Triangles {
     bool is_known = true;
 };
 
-constexpr Triangles unknown() { return {0, false}; }
-constexpr Triangles no_triangles() { return {}; }
-constexpr Triangles rectangle() { return {2, true}; }
+constexpr Triangles unknown() {
+    return {0, false};
+}
+constexpr Triangles no_triangles() {
+    return {};
+}
+constexpr Triangles rectangle() {
+    return {2, true};
+}
 
-// GL 4.6 compatibility, 10.1: triangles of <count> vertices as primitives of <mode>. How many a patch becomes is the
-// tessellator's to say.
+// GL 4.6 compatibility, 10.1: triangles of <count> vertices as primitives of <mode>. How many a patch becomes
+// is the tessellator's to say.
 constexpr Triangles triangles(GLenum mode, GLsizei count, GLsizei instances = 1) {
     const auto n = static_cast<std::uint64_t>(std::max(count, 0));
     const auto times = static_cast<std::uint64_t>(std::max(instances, 0));

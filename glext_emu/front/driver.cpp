@@ -10,9 +10,9 @@
 #include <mutex>
 #include <utility>
 
+#include "context/doctor.h"
 #include "context/settings.h"
 #include "entry/entry.h"
-#include "context/doctor.h"
 #include "real_gl/provider.h"
 
 namespace glext_emu {
@@ -103,7 +103,8 @@ bool is_loaded(void* main) {
     return dladdr(main, &info) != 0 && info.dli_saddr == main;
 }
 
-// The place of a driver that is known already, or one that is free, or one whose driver is gone; -1 if there is none.
+// The place of a driver that is known already, or one that is free, or one whose driver is gone; -1 if there
+// is none.
 int place_for(void* real_main, bool is_glx) {
     const std::lock_guard lock(mutex);
     const auto is_it = [&](const Driver& d) { return d.real_main == real_main && d.is_glx == is_glx; };
@@ -123,7 +124,9 @@ int place_for(void* real_main, bool is_glx) {
 
 }  // namespace
 
-const RealGl& real_gl_of(int driver) { return drivers[static_cast<std::size_t>(driver)].real; }
+const RealGl& real_gl_of(int driver) {
+    return drivers[static_cast<std::size_t>(driver)].real;
+}
 
 void* driver_function(int driver, const char* name) {
     return drivers[static_cast<std::size_t>(driver)].get_proc_address(name);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The layer's place between GLVND and a driver: the driver's entry point is called as if nothing were there, then its
-// getProcAddress is replaced by one that knows the wrappers.
+// The layer's place between GLVND and a driver: the driver's entry point is called as if nothing were there,
+// then its getProcAddress is replaced by one that knows the wrappers.
 #pragma once
 
 #include "real_gl.h"
 
 namespace glext_emu {
 
-// <real> is a driver's __glx_Main or __egl_Main. Returns what GLVND shall call instead: a wrapper, or <real> itself where
-// the layer steps aside.
+// <real> is a driver's __glx_Main or __egl_Main. Returns what GLVND shall call instead: a wrapper, or <real>
+// itself where the layer steps aside.
 void* wrap_glx_main(void* real);
 void* wrap_egl_main(void* real);
 
@@ -18,8 +18,8 @@ extern bool gl_was_loaded_ahead;
 // A process has a GLX and an EGL vendor, rarely two of each; more than this at once are left alone.
 inline constexpr int kMostDrivers = 8;
 
-// Replaces what a driver's getProcAddress gives by the layer's window-system functions; returns <real> for other names.
-// <driver> is the index of the driver, below kMostDrivers.
+// Replaces what a driver's getProcAddress gives by the layer's window-system functions; returns <real> for
+// other names. <driver> is the index of the driver, below kMostDrivers.
 void* glx_hook(int driver, const char* name, void* real);
 void* egl_hook(int driver, const char* name, void* real);
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The seam front end: libGLX and libEGL load their driver through dlsym(h, "__glx_Main") and "__egl_Main" and take every
-// GL and window-system function from it. Answering these two names puts the layer below all GL libraries.
+// The seam front end: libGLX and libEGL load their driver through dlsym(h, "__glx_Main") and "__egl_Main" and
+// take every GL and window-system function from it. Answering these two names puts the layer below all GL
+// libraries.
 //
-// seam_symbol and seam_before_dlopen run inside every dlsym and dlopen of the process, some of them before libc or a
-// sanitizer is ready: no libc calls here but dlvsym, no instrumentation, no static that needs a guard.
+// seam_symbol and seam_before_dlopen run inside every dlsym and dlopen of the process, some of them before
+// libc or a sanitizer is ready: no libc calls here but dlvsym, no instrumentation, no static that needs a
+// guard.
 #include <dlfcn.h>
 
 #include <atomic>
@@ -38,14 +40,16 @@ FREESTANDING bool equals(const char* a, const char* b) {
 FREESTANDING void find_next() {
     if (seam_next_dlsym != nullptr) return;
     auto libc_dlsym = reinterpret_cast<DlSym>(dlvsym(RTLD_NEXT, "dlsym", "GLIBC_2.34"));
-    if (libc_dlsym == nullptr) libc_dlsym = reinterpret_cast<DlSym>(dlvsym(RTLD_NEXT, "dlsym", "GLIBC_2.2.5"));
+    if (libc_dlsym == nullptr)
+        libc_dlsym = reinterpret_cast<DlSym>(dlvsym(RTLD_NEXT, "dlsym", "GLIBC_2.2.5"));
     seam_next_dlopen = reinterpret_cast<DlOpen>(libc_dlsym(RTLD_NEXT, "dlopen"));
     const auto next = reinterpret_cast<DlSym>(libc_dlsym(RTLD_NEXT, "dlsym"));
     seam_next_dlsym = next != nullptr ? next : libc_dlsym;
 }
 
-// With RTLD_DEEPBIND a library, and whatever it pulls in, finds libc's dlsym before ours: libGLX or libEGL loaded that way
-// would escape the layer. Loaded before, and without the flag, they bind to ours; the program's flag stays as it is.
+// With RTLD_DEEPBIND a library, and whatever it pulls in, finds libc's dlsym before ours: libGLX or libEGL
+// loaded that way would escape the layer. Loaded before, and without the flag, they bind to ours; the
+// program's flag stays as it is.
 void load_gl_ahead() {
     static std::atomic<bool> is_done{false};
     if (is_done.exchange(true)) return;

@@ -11,8 +11,9 @@
 
 namespace glext_emu {
 
-// A version that the device is too old for is turned into one that no driver has, so that the refusal is the driver's
-// own, X error included. <attributes> are pairs up to <end>, which is neither <major> nor <minor>; null is empty.
+// A version that the device is too old for is turned into one that no driver has, so that the refusal is the
+// driver's own, X error included. <attributes> are pairs up to <end>, which is neither <major> nor <minor>;
+// null is empty.
 template <class Int>
 std::vector<Int> obey_device(const Int* attributes, Int end, Int major, Int minor) {
     constexpr Int kImpossibleVersion = 9;  // GL 9.9
@@ -38,8 +39,8 @@ void* take(Function& slot, void* driver_function, Function hook) {
     return reinterpret_cast<void*>(hook);
 }
 
-// Hooks<driver>::find for a driver that is known at run time only: the window systems' functions have no room for a
-// user pointer, so each driver has functions of its own.
+// Hooks<driver>::find for a driver that is known at run time only: the window systems' functions have no room
+// for a user pointer, so each driver has functions of its own.
 template <template <int> class Hooks, int... kDrivers>
 void* find_in(int driver, const char* name, void* real, std::integer_sequence<int, kDrivers...>) {
     void* found = real;

@@ -26,11 +26,12 @@ template <int kDriver>
 struct Hooks {
     static RealEgl& real() { return reals[kDriver]; }
 
-    static EGLContext create(EGLDisplay display, EGLConfig config, EGLContext share, const EGLint* attributes) {
+    static EGLContext create(EGLDisplay display, EGLConfig config, EGLContext share,
+                             const EGLint* attributes) {
         const auto query_api = reinterpret_cast<EGLenum (*)()>(driver_function(kDriver, "eglQueryAPI"));
         const bool is_desktop = query_api != nullptr && query_api() == EGL_OPENGL_API;
-        const auto obedient = obey_device<EGLint>(attributes, EGL_NONE, EGL_CONTEXT_MAJOR_VERSION,
-                                                  EGL_CONTEXT_MINOR_VERSION);
+        const auto obedient =
+            obey_device<EGLint>(attributes, EGL_NONE, EGL_CONTEXT_MAJOR_VERSION, EGL_CONTEXT_MINOR_VERSION);
         EGLContext context = real().create(display, config, share, is_desktop ? obedient.data() : attributes);
         if (context != EGL_NO_CONTEXT) context_created("egl", real_gl_of(kDriver), context, share);
         return context;

@@ -45,7 +45,8 @@ struct Hooks {
     static GLXContext create(Display* display, XVisualInfo* visual, GLXContext share, Bool direct) {
         return created(real().create(display, visual, share, direct), share, direct);
     }
-    static GLXContext create_new(Display* display, GLXFBConfig config, int type, GLXContext share, Bool direct) {
+    static GLXContext create_new(Display* display, GLXFBConfig config, int type, GLXContext share,
+                                 Bool direct) {
         return created(real().create_new(display, config, type, share, direct), share, direct);
     }
     static GLXContext create_attribs(Display* display, GLXFBConfig config, GLXContext share, Bool direct,
@@ -72,7 +73,8 @@ struct Hooks {
         if (done) context_made_current("glx", real_gl_of(kDriver), context);
         return done;
     }
-    static Bool make_context_current(Display* display, GLXDrawable draw, GLXDrawable read, GLXContext context) {
+    static Bool make_context_current(Display* display, GLXDrawable draw, GLXDrawable read,
+                                     GLXContext context) {
         context_leaves_thread();
         const Bool done = real().make_context_current(display, draw, read, context);
         if (done) context_made_current("glx", real_gl_of(kDriver), context);
@@ -93,7 +95,8 @@ struct Hooks {
         const auto is = [name](const char* other) { return std::strcmp(name, other) == 0; };
         if (is("glXCreateContext")) return take(real().create, driver_function, create);
         if (is("glXCreateNewContext")) return take(real().create_new, driver_function, create_new);
-        if (is("glXCreateContextAttribsARB")) return take(real().create_attribs, driver_function, create_attribs);
+        if (is("glXCreateContextAttribsARB"))
+            return take(real().create_attribs, driver_function, create_attribs);
         if (is("glXDestroyContext")) return take(real().destroy, driver_function, destroy);
         if (is("glXCopyContext")) return take(real().copy, driver_function, copy);
         if (is("glXMakeCurrent")) return take(real().make_current, driver_function, make_current);

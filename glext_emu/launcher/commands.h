@@ -21,7 +21,8 @@ struct RunOptions {
     std::vector<std::string> program;  // and its arguments
 };
 
-// Replaces this process by the program with the layer under it; returns only when that fails (126, 127 as shells do).
+// Replaces this process by the program with the layer under it; returns only when that fails (126, 127 as
+// shells do).
 int run(const RunOptions& options);
 
 int list_devices(bool as_json);

@@ -10,14 +10,15 @@ namespace glext_emu::launcher {
 namespace {
 
 std::string version_text(const Device& device) {
-    return device.gl_version ? fmt::format("{}.{}", device.gl_version->major, device.gl_version->minor) : "driver's";
+    return device.gl_version ? fmt::format("{}.{}", device.gl_version->major, device.gl_version->minor)
+                             : "driver's";
 }
 
 nlohmann::json as_json_object(const Device& device) {
-    nlohmann::json object = {{"name", device.name},       {"description", device.description},
-                             {"source", device.source},   {"year", nullptr},
-                             {"gl_version", nullptr},     {"emulate", device.emulate},
-                             {"hide", device.hide},       {"counter_bits", nullptr}};
+    nlohmann::json object = {{"name", device.name},     {"description", device.description},
+                             {"source", device.source}, {"year", nullptr},
+                             {"gl_version", nullptr},   {"emulate", device.emulate},
+                             {"hide", device.hide},     {"counter_bits", nullptr}};
     if (device.year) object["year"] = *device.year;
     if (device.gl_version) object["gl_version"] = version_text(device);
     if (device.counter_bits) object["counter_bits"] = *device.counter_bits;

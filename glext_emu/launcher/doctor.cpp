@@ -90,20 +90,23 @@ std::string why_nothing(const std::string& path) {
     }
     const ElfFile elf = read_elf(path);
     if (elf.is_elf && !elf.is_64_bit) return "it is a 32-bit program, and this layer is built for 64 bits.";
-    if (elf.is_elf && !elf.has_interpreter) return "it is statically linked, so nothing can be preloaded into it.";
+    if (elf.is_elf && !elf.has_interpreter)
+        return "it is statically linked, so nothing can be preloaded into it.";
     for (const std::string& needed : elf.needed) {
         if (needed.starts_with("libOSMesa")) {
             return "it draws with OSMesa, which loads no GLVND driver and so has no seam for the layer.";
         }
     }
-    return "no GLVND driver was loaded: it made no GL context in that time, or it brings a libGL of its own that is "
+    return "no GLVND driver was loaded: it made no GL context in that time, or it brings a libGL of its own "
+           "that is "
            "not GLVND's.";
 }
 
 }  // namespace
 
 int doctor(const std::vector<std::string>& program, int seconds) {
-    if (program.empty()) throw BadUse("there is no program to look at, expected `glext-emu doctor -- program args`.");
+    if (program.empty())
+        throw BadUse("there is no program to look at, expected `glext-emu doctor -- program args`.");
     const std::string path = find_program(program.front());
     if (path.empty() || access(path.c_str(), X_OK) != 0) {
         throw BadUse(fmt::format("{} is not a program that can be run.", program.front()));

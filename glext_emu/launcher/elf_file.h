@@ -8,9 +8,9 @@
 namespace glext_emu::launcher {
 
 struct ElfFile {
-    bool is_elf = false;         // scripts are not
+    bool is_elf = false;  // scripts are not
     bool is_64_bit = false;
-    bool has_interpreter = false;  // false: statically linked, the preload never happens
+    bool has_interpreter = false;     // false: statically linked, the preload never happens
     std::vector<std::string> needed;  // libraries it links directly
 };
 

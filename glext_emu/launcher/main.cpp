@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // glext-emu: puts the layer under a program.
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstring>
@@ -31,13 +31,17 @@ int main(int argc, char** argv) {
     RunOptions options;
     CLI::App* const run_command = app.add_subcommand("run", "run a program with the layer under it");
     run_command->prefix_command();
-    run_command->add_option("--device", options.device, "a built-in device (see `glext-emu devices`) or a .toml file")
+    run_command
+        ->add_option("--device", options.device,
+                     "a built-in device (see `glext-emu devices`) or a .toml file")
         ->capture_default_str();
     run_command
-        ->add_option("--clock", options.clock,
-                     "when results may be seen: none, wall=MICROSECONDS, calls=N or frames=N after the query's end")
+        ->add_option(
+            "--clock", options.clock,
+            "when results may be seen: none, wall=MICROSECONDS, calls=N or frames=N after the query's end")
         ->capture_default_str();
-    run_command->add_option("--report", options.report, "write queries, waits and draws per frame to this JSON file");
+    run_command->add_option("--report", options.report,
+                            "write queries, waits and draws per frame to this JSON file");
     run_command->add_flag("-v,--verbose", options.is_verbose, "say how the program is started");
 
     bool as_json = false;
@@ -53,7 +57,8 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 3600));
 
     // What follows `--` is the program's, whatever it looks like.
-    char** const dashes = std::find_if(argv, argv + argc, [](const char* word) { return std::strcmp(word, "--") == 0; });
+    char** const dashes =
+        std::find_if(argv, argv + argc, [](const char* word) { return std::strcmp(word, "--") == 0; });
     std::vector<std::string> program(std::min(dashes + 1, argv + argc), argv + argc);
     try {
         app.parse(static_cast<int>(dashes - argv), argv);

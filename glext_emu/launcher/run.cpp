@@ -37,7 +37,8 @@ std::string layer_library() {
 // A path that stays right when the program changes its folder, and that the comma list can hold.
 std::string absolute(const std::string& path) {
     const std::string whole = fs::absolute(path).lexically_normal().string();
-    if (whole.find(',') != std::string::npos) throw BadUse(fmt::format("{}: a path must not hold a comma.", whole));
+    if (whole.find(',') != std::string::npos)
+        throw BadUse(fmt::format("{}: a path must not hold a comma.", whole));
     return whole;
 }
 
@@ -54,8 +55,8 @@ void start_report(const std::string& path) {
     if (!file.flush()) throw BadUse(fmt::format("the report {} cannot be written.", path));
 }
 
-// Ours first, so that no other interposer stands between it and the program; earlier copies of it dropped; a sanitizer's
-// runtime before everything, since it insists.
+// Ours first, so that no other interposer stands between it and the program; earlier copies of it dropped; a
+// sanitizer's runtime before everything, since it insists.
 std::string preload_with(const std::string& library, const std::string& program) {
     std::string preload;
     const auto add = [&](const std::string& item) { preload += (preload.empty() ? "" : ":") + item; };
@@ -88,7 +89,8 @@ Environment environment_for(const RunOptions& options, const std::string& doctor
     const bool is_path =
         options.device.find('/') != std::string::npos || std::string_view(options.device).ends_with(".toml");
     Environment environment;
-    environment.settings = "device=" + (is_path ? absolute(options.device) : options.device) + ",clock=" + options.clock;
+    environment.settings =
+        "device=" + (is_path ? absolute(options.device) : options.device) + ",clock=" + options.clock;
     if (!options.report.empty()) environment.settings += ",report=" + absolute(options.report);
     if (!doctor_file.empty()) environment.settings += ",doctor=" + doctor_file;
 
@@ -99,7 +101,8 @@ Environment environment_for(const RunOptions& options, const std::string& doctor
 }
 
 int run(const RunOptions& options) {
-    if (options.program.empty()) throw BadUse("there is no program to run, expected `glext-emu run -- program args`.");
+    if (options.program.empty())
+        throw BadUse("there is no program to run, expected `glext-emu run -- program args`.");
     const char* wish = std::getenv("GLEXT_EMU");
     if (wish == nullptr || std::strcmp(wish, "0") != 0) {
         const Environment environment = environment_for(options);

@@ -12,7 +12,9 @@ using occlusion_unit::Tick;
 
 namespace {
 
-Clock clock_of(const char* text) { return Clock(Latency::parse(text).value()); }
+Clock clock_of(const char* text) {
+    return Clock(Latency::parse(text).value());
+}
 
 TEST(Clock, latencies_are_read_and_written_alike) {
     for (const char* text : {"none", "wall=50", "calls=0", "calls=10000", "frames=2"}) {
@@ -22,8 +24,8 @@ TEST(Clock, latencies_are_read_and_written_alike) {
 }
 
 TEST(Clock, what_is_not_a_clock_is_refused) {
-    for (const char* text : {"", "wall", "wall=", "wall=-1", "wall=5us", "wall= 5", "calls=1.5", "ticks=3", "NONE",
-                             "frames=99999999999999999999", "wall=86400000001", "none=1"}) {
+    for (const char* text : {"", "wall", "wall=", "wall=-1", "wall=5us", "wall= 5", "calls=1.5", "ticks=3",
+                             "NONE", "frames=99999999999999999999", "wall=86400000001", "none=1"}) {
         EXPECT_FALSE(Latency::parse(text)) << text;
     }
 }

@@ -49,14 +49,16 @@ TEST(Device, what_is_wrong_is_told_with_file_and_line) {
     };
     const Row rows[] = {
         {replaced("year = 2001", "yaer = 2001"), "f.toml:4: ", "unknown key `yaer`, expected one of name"},
-        {replaced("year = 2001", "year = \"2001\""), "f.toml:4: ", "`year` is not a whole number from 1980 to 2100"},
+        {replaced("year = 2001", "year = \"2001\""),
+         "f.toml:4: ", "`year` is not a whole number from 1980 to 2100"},
         {replaced("year = 2001", "year = 20010"), "f.toml:4: ", "from 1980 to 2100"},
         {replaced("\"1.3\"", "1.3"), "f.toml:5: ", "`gl_version` is not a string"},
         {replaced("\"1.3\"", "\"7.3\""), "f.toml:5: ", "`gl_version` is not a version"},
         {replaced("name = \"mine\"", ""), "f.toml:1: ", "`name` is missing"},
         {replaced("[\"GL_HP_occlusion_test\"]", "\"GL_HP_occlusion_test\""), "f.toml:7: ", "is not a list"},
         {replaced("GL_HP_occlusion_test", "GL_HP_oclusion_test"), "f.toml:7: ", "cannot be emulated"},
-        {replaced("\"GL_ARB_occlusion_query\"", "17"), "f.toml:8: ", "something other than an extension name"},
+        {replaced("\"GL_ARB_occlusion_query\"", "17"),
+         "f.toml:8: ", "something other than an extension name"},
         {replaced("counter_bits = 24", "counter_bits = 65"), "f.toml:10: ", "from 1 to 64"},
         {replaced("[query]", "query = 3"), "f.toml:", ""},
         {replaced("[query]", "[query"), "f.toml:9: ", ""},

@@ -9,7 +9,8 @@ namespace {
 using occlusion_unit::ClockKind;
 
 TEST(Settings, unset_means_that_the_layer_steps_aside) {
-    for (const char* text : {static_cast<const char*>(nullptr), "", "device=native", "device=native,clock=none"}) {
+    for (const char* text :
+         {static_cast<const char*>(nullptr), "", "device=native", "device=native,clock=none"}) {
         const SettingsOrError result = parse_settings(text);
         EXPECT_EQ(result.error, "");
         EXPECT_TRUE(result.settings.steps_aside());
@@ -40,7 +41,8 @@ TEST(Settings, all_keys_are_read) {
 
 TEST(Settings, what_is_wrong_is_told_in_one_sentence) {
     EXPECT_NE(parse_settings("clock=soon").error.find("is not a clock, expected none"), std::string::npos);
-    EXPECT_NE(parse_settings("dveice=mesa").error.find("is not a setting, expected device="), std::string::npos);
+    EXPECT_NE(parse_settings("dveice=mesa").error.find("is not a setting, expected device="),
+              std::string::npos);
     EXPECT_NE(parse_settings("mesa").error.find("is not a setting"), std::string::npos);
     EXPECT_NE(parse_settings("device=voodoo").error.find("no device `voodoo`"), std::string::npos);
 }
