@@ -78,8 +78,8 @@ def programs(text):
         for word in fragment.split():
             if not expected:
                 break
-            if ASSIGNMENT.match(word) or word.startswith("-"):
-                continue
+            if ASSIGNMENT.match(word) or word.startswith("-") or re.fullmatch(r"\d+[smh]?", word):
+                continue  # nothing of these is a command: `timeout 5 glxgears` calls two programs
             expected = word in PREFIXES
             if word not in KEYWORDS | BUILTINS | functions and re.fullmatch(r"[\w./+-]+", word):
                 found.add(word)

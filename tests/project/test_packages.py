@@ -103,7 +103,7 @@ class TheCheckItself(unittest.TestCase):
         script = """
             # a comment calls nothing; curl
             helper() { sed -n "1p; $(awk 1)" file; }
-            x=$(grep -c 'wget' f) || exec timeout 5 true
+            x=$(grep -c 'wget' f) || exec timeout 5 env A=1 nm
             case $x in
                 a | b) tar xf "$x" ;;
                 *) helper ;;
@@ -113,7 +113,7 @@ class TheCheckItself(unittest.TestCase):
             TEXT
             if ! cmp a b >/dev/null 2>&1; then xvfb-run -a ctest; fi
         """
-        expected = {"awk", "sed", "grep", "timeout", "tar", "cat", "cmp", "xvfb-run", "ctest"}
+        expected = {"awk", "sed", "grep", "timeout", "env", "nm", "tar", "cat", "cmp", "xvfb-run", "ctest"}
         self.assertEqual(programs(script), expected)
 
     def test_python_tells_its_programs(self):
