@@ -72,4 +72,4 @@ class Window:
                 kind(time=X.CurrentTime, root=self.display.screen().root, window=self.window, same_screen=1,
                      child=X.NONE, root_x=0, root_y=0, event_x=1, event_y=1, state=0, detail=code),
                 event_mask=mask)
-        self.display.flush()
+        self.display.sync()  # the server has it before this connection ends
