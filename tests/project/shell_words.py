@@ -15,24 +15,7 @@ BUILTINS = set(
     " trap true type typeset ulimit umask unset wait . :".split()
 )
 # Words after which the next word is again a command.
-PREFIXES = {
-    "exec",
-    "command",
-    "then",
-    "do",
-    "else",
-    "elif",
-    "if",
-    "while",
-    "until",
-    "!",
-    "time",
-    "{",
-    "env",
-    "sudo",
-    "$sudo",
-    "xvfb-run",
-}
+PREFIXES = set("exec command then do else elif if while until ! time { env sudo $sudo timeout xvfb-run".split())
 HERE_DOCUMENT = re.compile(r"<<-?\s*(['\"]?)(\w+)\1")
 ASSIGNMENT = re.compile(r"\w+\+?=")
 
