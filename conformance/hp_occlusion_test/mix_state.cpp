@@ -135,6 +135,34 @@ TEST_F(MixState, boolean_queries_are_right_under_an_enabled_test) {
     EXPECT_TRUE(no_error());
 }
 
+// MIX-23, of a query in a display list: ARB 5.4 compiles Begin and End; HP's Enable is around them or among
+// them.
+TEST_F(MixState, a_compiled_query_and_the_test_do_not_disturb_each_other) {
+    const Query query;
+    const GLuint list = glGenLists(1);
+    glNewList(list, GL_COMPILE);
+    query.begin();
+    draw_rect({0, 0, 8, 8}, kMiddle);
+    glEnable(GL_OCCLUSION_TEST_HP);
+    draw_rect({8, 0, 8, 8}, kMiddle);
+    query.end();
+    draw_rect({16, 0, 8, 8}, kMiddle);
+    glEndList();
+    for (int call = 0; call < 3; ++call) {
+        draw_point(0, 0, 0.0f);
+        glCallList(list);
+        EXPECT_EQ(current_query(GL_SAMPLES_PASSED), 0);
+        EXPECT_EQ(query.result(), 128u) << "call " << call;
+        EXPECT_TRUE(test_enabled());
+        EXPECT_TRUE(read_result());
+        EXPECT_FALSE(read_result());
+        draw_point(0, 0, 0.0f);
+        EXPECT_TRUE(read_result()) << "the list ended the test";
+    }
+    EXPECT_EQ(query.count([] { draw_point(0, 0, 0.0f); }), 1u);
+    EXPECT_TRUE(no_error());
+}
+
 // MIX-24. HP, New State: the result is had by a Get, which writes to client memory; ARB_query_buffer_object
 // redirects GetQueryObject only.
 TEST_F(MixState, a_bound_query_buffer_is_not_written_by_a_read_of_the_result) {
