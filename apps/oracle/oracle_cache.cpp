@@ -13,7 +13,8 @@ namespace apps {
 namespace {
 
 /// Nothing where the text is not a cache of that key and length.
-std::optional<std::vector<std::optional<Truth>>> read(std::istream& in, std::uint64_t key, std::size_t frames) {
+std::optional<std::vector<std::optional<Truth>>> read(std::istream& in, std::uint64_t key,
+                                                      std::size_t frames) {
     try {
         const auto json = nlohmann::json::parse(in);
         if (json.at("key") != std::to_string(key) || json.at("truths").size() != frames) return std::nullopt;

@@ -12,6 +12,12 @@ const glm::vec3 kSun = glm::normalize(glm::vec3(0.48F, -0.62F, 0.72F));
 constexpr glm::vec3 kSunColour{0.92F, 0.84F, 0.68F};
 constexpr glm::vec3 kSkyColour{0.58F, 0.63F, 0.71F};
 
+/// Of a cross product; up for a triangle without an area.
+glm::vec3 unit(const glm::vec3& cross) {
+    const float length = glm::length(cross);
+    return length > 0 ? cross / length : glm::vec3(0, 0, 1);
+}
+
 glm::u8vec4 lit(const glm::vec3& position, const glm::vec3& normal, const Albedo& albedo) {
     const float sun = std::max(0.0F, glm::dot(normal, kSun));
     const float sky = 0.62F + 0.38F * normal.z;
@@ -47,7 +53,7 @@ void MeshBuilder::finish() {
 
 void MeshBuilder::quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d,
                        Albedo albedo) {
-    const glm::vec3 normal = glm::normalize(glm::cross(c - a, d - b));
+    const glm::vec3 normal = unit(glm::cross(c - a, d - b));
     const std::uint32_t first = vertex(a, normal, albedo);
     vertex(b, normal, albedo);
     vertex(c, normal, albedo);
@@ -56,7 +62,7 @@ void MeshBuilder::quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& 
 }
 
 void MeshBuilder::triangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, Albedo albedo) {
-    const glm::vec3 normal = glm::normalize(glm::cross(b - a, c - a));
+    const glm::vec3 normal = unit(glm::cross(b - a, c - a));
     for (const glm::vec3& corner : {a, b, c}) scene_.indices.push_back(vertex(corner, normal, albedo));
 }
 

@@ -24,7 +24,9 @@ void print_summary(const nlohmann::ordered_json& s) {
         number("drawn_triangles"), 100 * number("drawn_triangles") / number("frustum_triangles"),
         number("frustum_triangles"), 100 * number("drawn_triangles") / total, total);
     fmt::print("frustum     {:.1f} % of the scene\n", 100 * number("frustum_triangles") / total);
-    fmt::print("queries     {:.1f} a frame, {:.2f} ms stalled\n", number("queries"), number("stall_ms"));
+    fmt::print("queries     {:.1f} a frame, {:.2f} ms stalled; the machine has {}\n", number("queries"),
+               number("stall_ms"),
+               s["occlusion_test"].is_null() ? "none" : s["occlusion_test"].get<std::string>());
     fmt::print("time        {:.2f} ms a frame\n", number("frame_ms"));
     if (s.contains("speedup_mean_of_ratios"))
         fmt::print("speed-up    {:.2f} (mean of ratios), {:.2f} (ratio of means)\n",

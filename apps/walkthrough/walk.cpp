@@ -9,6 +9,7 @@
 
 #include "apps/oracle/oracle_cache.h"
 #include "apps/report/progress_bar.h"
+#include "apps/scene/model.h"
 #include "apps/scene/scenes.h"
 #include "apps/walkthrough/pictures.h"
 
@@ -41,7 +42,8 @@ std::string cpu_name() {
 }  // namespace
 
 World build_world(const Options& options) {
-    const Scene scene = find_scene(options.scene)->build(options.scale, options.seed);
+    const SceneRecipe* recipe = find_scene(options.scene);
+    const Scene scene = recipe ? recipe->build(options.scale, options.seed) : load_model(options.scene);
     World world;
     world.tree = build_kd_tree(scene, paper_leaf_count(scene.triangle_count()));
     world.scene = in_leaf_order(scene, world.tree);

@@ -124,6 +124,25 @@ TEST_F(Walkthrough, reports_a_line_a_frame_and_their_means) {
     EXPECT_GT(again.back()["summary"]["speedup_ratio_of_means"], 0.0);
 }
 
+TEST_F(Walkthrough, walks_around_a_model_of_ones_own) {
+    std::ofstream model(folder / "steps.obj");
+    for (int step = 0; step < 100; ++step)  // a stair of quads, y up
+        for (const char* corner : {"0 0", "1 0", "1 1", "0 1"})
+            model << "v " << corner << ' ' << step << '\n';
+    for (int step = 0; step < 100; ++step)
+        model << "f " << 4 * step + 1 << ' ' << 4 * step + 2 << ' ' << 4 * step + 3 << ' ' << 4 * step + 4
+              << '\n';
+    model.close();
+    const fs::path report = folder / "report";
+    const std::string common = " --frames 4 --size 64x48 --oracle --json " + report.string();
+    ASSERT_EQ(run("--scene " + (folder / "steps.obj").string() + common).status, 0);
+    const Json summary = lines(report).back()["summary"];
+    EXPECT_EQ(summary["scene_triangles"], 200);
+    EXPECT_GT(summary["visible_objects"], 0);
+    std::ofstream(folder / "not_a_model.obj") << "hello\n";
+    EXPECT_EQ(run("--scene " + (folder / "not_a_model.obj").string() + common).status, 2);
+}
+
 TEST_F(Walkthrough, ignores_a_damaged_cache) {
     std::ofstream(folder / "truth") << R"({"key": 5, "truths": "none"})";
     EXPECT_EQ(
