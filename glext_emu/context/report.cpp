@@ -23,7 +23,7 @@ constexpr long kTailLength = sizeof kTail - 1;
 
 // A program that is killed loses at most this much of its report.
 constexpr std::chrono::milliseconds kLongestDelay{100};
-constexpr std::size_t kLargestBuffer = 32 * 1024;
+constexpr std::size_t kLargestBuffer = 32'768;
 
 std::string json_string(const char* text) {
     std::string out = "\"";

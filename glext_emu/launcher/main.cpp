@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
         }
         if (*devices_command) return list_devices(as_json);
         return doctor(program, seconds);
-    } catch (const BadUse& error) {
+    } catch (const std::exception& error) {
         fmt::print(stderr, "glext-emu: {}\n", error.what());
         return 2;
     }

@@ -36,7 +36,7 @@ std::string layer_library() {
 
 // A path that stays right when the program changes its folder, and that the comma list can hold.
 std::string absolute(const std::string& path) {
-    const std::string whole = fs::absolute(path).lexically_normal().string();
+    std::string whole = fs::absolute(path).lexically_normal().string();
     if (whole.find(',') != std::string::npos)
         throw BadUse(fmt::format("{}: a path must not hold a comma.", whole));
     return whole;
@@ -79,7 +79,7 @@ std::string find_program(const std::string& name) {
     const char* path = std::getenv("PATH");
     std::istringstream folders(path == nullptr ? "/usr/bin:/bin" : path);
     for (std::string folder; std::getline(folders, folder, ':');) {
-        const std::string candidate = (folder.empty() ? "." : folder) + "/" + name;
+        std::string candidate = (folder.empty() ? "." : folder) + "/" + name;
         if (access(candidate.c_str(), X_OK) == 0) return candidate;
     }
     return "";
