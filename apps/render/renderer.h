@@ -60,6 +60,9 @@ class Renderer {
     /// RGBA of the whole view, bottom row first.
     std::vector<std::uint32_t> read_pixels() const;
 
+    /// Puts RGBA, bottom row first, over the whole view; depth stays.
+    void write_pixels(const std::vector<glm::u8vec4>& pixels);
+
     bool has_buffer_objects() const { return has_buffers_; }
 
   private:

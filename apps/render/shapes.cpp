@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines and translucent faces for pictures; never part of a timed frame.
+// Lines, translucent faces and finished pixels for pictures; never part of a timed frame.
 #include <GL/gl.h>
 
 #include "apps/render/renderer.h"
@@ -38,6 +38,24 @@ void Renderer::draw_lines(const Shapes& shapes, float width_pixels, bool on_top)
 
 void Renderer::draw_triangles(const Shapes& shapes, bool on_top) {
     draw_shapes(GL_TRIANGLES, shapes, on_top);
+}
+
+void Renderer::write_pixels(const std::vector<glm::u8vec4>& pixels) {
+    leave_mode();
+    glDisable(GL_DEPTH_TEST);
+    glMatrixMode(GL_PROJECTION);
+    glPushMatrix();
+    glLoadIdentity();
+    glMatrixMode(GL_MODELVIEW);
+    glPushMatrix();
+    glLoadIdentity();
+    glRasterPos2f(-1, -1);
+    glDrawPixels(width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    glPopMatrix();
+    glMatrixMode(GL_PROJECTION);
+    glPopMatrix();
+    glMatrixMode(GL_MODELVIEW);
+    glEnable(GL_DEPTH_TEST);
 }
 
 }  // namespace apps

@@ -4,13 +4,10 @@
 
 #include <algorithm>
 
+#include "apps/scene/light.h"
+
 namespace apps {
 namespace {
-
-// Towards the sun, unit length within float rounding.
-const glm::vec3 kSun = glm::normalize(glm::vec3(0.48F, -0.62F, 0.72F));
-constexpr glm::vec3 kSunColour{0.92F, 0.84F, 0.68F};
-constexpr glm::vec3 kSkyColour{0.58F, 0.63F, 0.71F};
 
 /// Of a cross product; up for a triangle without an area.
 glm::vec3 unit(const glm::vec3& cross) {
@@ -19,12 +16,7 @@ glm::vec3 unit(const glm::vec3& cross) {
 }
 
 glm::u8vec4 lit(const glm::vec3& position, const glm::vec3& normal, const Albedo& albedo) {
-    const float sun = std::max(0.0F, glm::dot(normal, kSun));
-    const float sky = 0.62F + 0.38F * normal.z;
-    // Little sky is seen from deep in a street: 70 % of the light at the ground, all of it 14 m up.
-    const float height = std::clamp(position.z / 14.0F, 0.0F, 1.0F);
-    const float openness = 0.70F + 0.30F * height * (2 - height);
-    const glm::vec3 light = albedo * (kSunColour * sun + kSkyColour * sky) * openness;
+    const glm::vec3 light = albedo * baked_light(position, normal);
     return {glm::u8vec3(glm::clamp(light, 0.0F, 1.0F) * 255.0F + 0.5F), 255};
 }
 

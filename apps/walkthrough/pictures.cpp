@@ -2,15 +2,18 @@
 // The pictures of a frame. Edges are smoothed by averaging passes that are shifted by parts of a pixel.
 #include "apps/walkthrough/pictures.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numeric>
 
 #include "apps/report/picture.h"
+#include "apps/walkthrough/lighting.h"
 
 namespace apps {
 namespace {
 
-constexpr int kGrid = 4;  // passes per axis
+constexpr int kGrid = 3;  // passes per axis
 
 /// Edges of a box: pairs of corner numbers that differ in one bit.
 constexpr int kEdges[12][2] = {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3},
@@ -18,22 +21,44 @@ constexpr int kEdges[12][2] = {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3},
 constexpr int kFaces[6][4] = {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4},
                               {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}};
 
-struct Eye {
-    glm::mat4 modelview;
-    glm::mat4 projection;
+/// The passes of a picture, each a part of a pixel aside; lighting is most of their cost, and two pictures
+/// share it.
+struct Passes {
+    std::vector<Eye> eyes;
+    std::vector<std::vector<Lit>> pixels;
 };
 
-template <class Draw>
-void save(Renderer& renderer, const Frame& frame, const Eye& eye, const std::filesystem::path& file,
-          Draw&& draw) {
+Passes light(Lighting& lighting, const Frame& frame, const Eye& eye, std::span<const ObjectId> objects) {
     const int width = frame.view.width;
     const int height = frame.view.height;
-    Picture picture(width, height);
+    Passes passes;
     for (int pass = 0; pass < kGrid * kGrid; ++pass) {
         const glm::vec2 cell(pass % kGrid, pass / kGrid);
         const glm::vec2 shift = (cell + 0.5F) / static_cast<float>(kGrid) - 0.5F;
-        renderer.set_matrices(eye.modelview, shifted(eye.projection, shift, width, height), width, height);
-        draw();
+        passes.eyes.push_back({eye.modelview, shifted(eye.projection, shift, width, height)});
+        passes.pixels.push_back(
+            lighting.light(passes.eyes.back(), width, height, objects, static_cast<unsigned>(pass)));
+    }
+    return passes;
+}
+
+/// `colour` turns a lit pixel into what is shown; `overlay` draws over it.
+template <class Colour, class Overlay>
+void save(Renderer& renderer, const Frame& frame, const Passes& passes, std::span<const ObjectId> objects,
+          const std::filesystem::path& file, Colour&& colour, Overlay&& overlay) {
+    Picture picture(frame.view.width, frame.view.height);
+    std::vector<glm::u8vec4> shown(passes.pixels.front().size());
+    for (std::size_t pass = 0; pass < passes.eyes.size(); ++pass) {
+        std::transform(
+            passes.pixels[pass].begin(), passes.pixels[pass].end(), shown.begin(), [&](const Lit& lit) {
+                return glm::u8vec4(glm::u8vec3(glm::clamp(colour(lit), 0.0F, 1.0F) * 255.0F + 0.5F), 255);
+            });
+        renderer.set_matrices(passes.eyes[pass].modelview, passes.eyes[pass].projection, frame.view.width,
+                              frame.view.height);
+        renderer.clear(glm::vec4(1));
+        renderer.draw(objects);  // for its depth
+        renderer.write_pixels(shown);
+        overlay();
         picture.add(renderer.read_pixels());
     }
     picture.save(file);
@@ -48,14 +73,12 @@ void add_box(Renderer::Shapes* lines, Renderer::Shapes* faces, const Box& box, c
             faces->add_quad(box.corner(f[0]), box.corner(f[1]), box.corner(f[2]), box.corner(f[3]), face);
 }
 
-/// From above and behind the south, over everything but what is as wide as the scene itself.
+/// From above and behind the south, over everything that stands up.
 Eye from_above(const Frame& frame) {
-    const glm::vec3 size = frame.scene.bounds.max - frame.scene.bounds.min;
+    const float height = frame.scene.bounds.max.z - frame.scene.bounds.min.z;
     Box part;
-    for (const Object& object : frame.scene.objects) {
-        const glm::vec3 extent = object.box.max - object.box.min;
-        if (std::max(extent.x, extent.y) < 0.25F * std::max(size.x, size.y)) part.add(object.box);
-    }
+    for (const Object& object : frame.scene.objects)
+        if (object.box.max.z - object.box.min.z > 0.02F * height) part.add(object.box);
     const glm::vec3 towards = glm::normalize(glm::vec3(-0.35F, 0.62F, -0.80F));
     const glm::mat4 modelview =
         glm::lookAt(part.centre() - 3000.0F * towards, part.centre(), glm::vec3(0, 0, 1));
@@ -64,7 +87,7 @@ Eye from_above(const Frame& frame) {
         seen.add(glm::vec3(modelview * glm::vec4(part.corner(corner), 1)));
     const glm::vec3 half = (seen.max - seen.min) * 0.5F;
     const float aspect = static_cast<float>(frame.view.width) / static_cast<float>(frame.view.height);
-    const float half_height = 1.03F * std::max(half.y, half.x / aspect);
+    const float half_height = 1.02F * std::max(half.y, half.x / aspect);
     const glm::vec3 c = seen.centre();
     return {modelview, glm::ortho(c.x - half_height * aspect, c.x + half_height * aspect, c.y - half_height,
                                   c.y + half_height, 100.0F, 6000.0F)};
@@ -92,22 +115,19 @@ void add_frustum(const Frame& frame, Renderer::Shapes& lines, Renderer::Shapes& 
     faces.colours.insert(faces.colours.end(), 3, wash);
 }
 
-/// The baked colours, taken towards `tint` by `amount` and thinned towards white by `fade`.
-std::vector<glm::u8vec4> tinted(const Scene& scene, const std::vector<std::uint8_t>* highlighted) {
-    std::vector<glm::u8vec4> colours = scene.colours;
-    for (ObjectId id = 0; id < scene.objects.size(); ++id) {
-        const bool is_highlighted = highlighted && (*highlighted)[id];
-        for (std::uint32_t v = 0; v < scene.objects[id].vertex_count; ++v) {
-            glm::u8vec4& colour = colours[scene.objects[id].first_vertex + v];
-            const glm::vec3 c = glm::vec3(colour) / 255.0F;
-            const float light = glm::dot(c, glm::vec3(0.30F, 0.59F, 0.11F));
-            const glm::vec3 shown = is_highlighted
-                                        ? glm::vec3(1.0F, 0.52F, 0.12F) * (0.35F + 0.95F * light)
-                                        : glm::mix(glm::vec3(light), glm::vec3(0.93F, 0.94F, 0.95F), 0.62F);
-            colour = {glm::u8vec3(glm::min(shown, 1.0F) * 255.0F + 0.5F), 255};
-        }
-    }
-    return colours;
+/// Bright parts keep their differences.
+glm::vec3 toned(const glm::vec3& colour) {
+    return 1.06F * colour / (1.0F + 0.22F * colour * colour);
+}
+
+/// A model of white card, with what `is_highlighted` in orange.
+glm::vec3 card(const Lighting& lighting, const Lit& lit, bool is_highlighted) {
+    if (lit.vertex == Lit::kSky) return glm::vec3(1);
+    const float grey = glm::dot(lighting.albedo(lit.vertex), glm::vec3(0.30F, 0.59F, 0.11F));
+    const glm::vec3 albedo = is_highlighted ? glm::vec3(1.0F, 0.50F, 0.10F) * (0.62F + 0.5F * grey)
+                                            : glm::vec3(0.72F + 0.20F * grey);
+    const glm::vec3 light = is_highlighted ? lit.light : glm::mix(glm::vec3(0.95F), lit.light, 0.62F);
+    return toned(albedo * light);
 }
 
 std::vector<ObjectId> all_of(const Scene& scene) {
@@ -116,67 +136,74 @@ std::vector<ObjectId> all_of(const Scene& scene) {
     return all;
 }
 
-void save_view(Renderer& renderer, const Frame& frame, const std::filesystem::path& file) {
+void save_view(Renderer& renderer, Lighting& lighting, const Frame& frame,
+               const std::filesystem::path& file) {
     std::vector<ObjectId> drawn = frame.drawn;
     std::sort(drawn.begin(), drawn.end());
-    save(renderer, frame, {frame.view.modelview, frame.view.projection}, file, [&] {
-        renderer.clear({0.66F, 0.80F, 0.94F, 1});
-        renderer.draw(drawn);
-    });
+    const Passes passes = light(lighting, frame, {frame.view.modelview, frame.view.projection}, drawn);
+    const auto colour = [&](const Lit& lit) {
+        if (lit.vertex == Lit::kSky) return lit.light;
+        const float haze = 1 - std::exp(-lit.distance / 900);
+        return glm::mix(toned(lighting.albedo(lit.vertex) * lit.light), glm::vec3(0.80F, 0.87F, 0.94F), haze);
+    };
+    save(renderer, frame, passes, drawn, file, colour, [] {});
 }
 
-void save_above(Renderer& renderer, const Frame& frame, const std::filesystem::path& file) {
-    const auto all = all_of(frame.scene);
+void save_above(Renderer& renderer, const Lighting& lighting, const Frame& frame, const Passes& passes,
+                const std::filesystem::path& file) {
+    std::vector<std::uint8_t> is_drawn_vertex(frame.scene.positions.size());
+    for (const ObjectId id : frame.drawn) {
+        const Object& object = frame.scene.objects[id];
+        std::fill_n(is_drawn_vertex.begin() + object.first_vertex, object.vertex_count, 1);
+    }
     Renderer::Shapes lines;
     Renderer::Shapes faces;
     add_frustum(frame, lines, faces);
-    const Renderer::Paint paint = renderer.add_paint(tinted(frame.scene, &frame.is_drawn));
-    renderer.use_paint(paint, false);
-    save(renderer, frame, from_above(frame), file, [&] {
-        renderer.clear({1, 1, 1, 1});
-        renderer.draw(all);
+    const auto colour = [&](const Lit& lit) {
+        return card(lighting, lit, lit.vertex != Lit::kSky && is_drawn_vertex[lit.vertex]);
+    };
+    save(renderer, frame, passes, all_of(frame.scene), file, colour, [&] {
         renderer.draw_triangles(faces, true);
         renderer.draw_lines(lines, 2, true);
     });
-    renderer.use_paint(Renderer::kBaked, false);
 }
 
-void save_nodes(Renderer& renderer, const Frame& frame, const std::filesystem::path& file) {
-    const auto all = all_of(frame.scene);
+void save_nodes(Renderer& renderer, const Lighting& lighting, const Frame& frame, const Passes& passes,
+                const std::filesystem::path& file) {
     Renderer::Shapes lines;
     Renderer::Shapes faces;
     for (NodeId id = 0; id < frame.tree.nodes.size(); ++id) {
         const KdNode& node = frame.tree.nodes[id];
         const NodeClass c = frame.classes[id];
         if (c == NodeClass::kVisible && node.is_leaf)
-            add_box(&lines, &faces, node.box, {0.55F, 0.24F, 0, 0.8F}, {1, 0.58F, 0.10F, 0.9F});
+            add_box(&lines, &faces, node.box, {0.50F, 0.20F, 0, 0.7F}, {1, 0.55F, 0.08F, 0.8F});
         if (c == NodeClass::kOccluded)
-            add_box(&lines, &faces, node.box, {0.20F, 0.32F, 0.50F, 0.45F}, {0.45F, 0.60F, 0.80F, 0.10F});
-        if (c == NodeClass::kOutside) add_box(&lines, nullptr, node.box, {0.5F, 0.5F, 0.5F, 0.16F}, {});
+            add_box(&lines, &faces, node.box, {0.12F, 0.26F, 0.48F, 0.6F}, {0.35F, 0.55F, 0.85F, 0.11F});
+        if (c == NodeClass::kOutside) add_box(&lines, nullptr, node.box, {0.35F, 0.35F, 0.35F, 0.22F}, {});
     }
     Renderer::Shapes frustum_lines;
     Renderer::Shapes frustum_faces;
     add_frustum(frame, frustum_lines, frustum_faces);
-    const Renderer::Paint paint = renderer.add_paint(tinted(frame.scene, nullptr));
-    renderer.use_paint(paint, false);
-    save(renderer, frame, from_above(frame), file, [&] {
-        renderer.clear({1, 1, 1, 1});
-        renderer.draw(all);
-        renderer.draw_triangles(frustum_faces, true);
-        renderer.draw_triangles(faces, false);
-        renderer.draw_lines(lines, 1, false);
-        renderer.draw_lines(frustum_lines, 2, true);
-    });
-    renderer.use_paint(Renderer::kBaked, false);
+    save(
+        renderer, frame, passes, all_of(frame.scene), file,
+        [&](const Lit& lit) { return card(lighting, lit, false); },
+        [&] {
+            renderer.draw_triangles(frustum_faces, true);
+            renderer.draw_triangles(faces, false);
+            renderer.draw_lines(lines, 1, false);
+            renderer.draw_lines(frustum_lines, 2, true);
+        });
 }
 
 }  // namespace
 
 void save_pictures(Renderer& renderer, const Frame& frame, const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
-    save_view(renderer, frame, folder / "view.png");
-    save_above(renderer, frame, folder / "above.png");
-    save_nodes(renderer, frame, folder / "nodes.png");
+    Lighting lighting(renderer, frame.scene, frame.tree);
+    save_view(renderer, lighting, frame, folder / "view.png");
+    const Passes above = light(lighting, frame, from_above(frame), all_of(frame.scene));
+    save_above(renderer, lighting, frame, above, folder / "above.png");
+    save_nodes(renderer, lighting, frame, above, folder / "nodes.png");
 }
 
 }  // namespace apps
