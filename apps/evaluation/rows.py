@@ -63,8 +63,8 @@ def frame_times_ms(measured):
 
 
 def layer_stall_ms(timed):
-    """Median over the passes of the mean stall per frame that the layer saw."""
-    return float(numpy.median([mean_of(one.layer_frames, "stall_ms") for one in timed]))
+    """As the client's: of each frame the median over the passes, then the mean."""
+    return float(numpy.median([[f["stall_ms"] for f in one.layer_frames] for one in timed], axis=0).mean())
 
 
 def row_of(configuration, measured, baseline):
