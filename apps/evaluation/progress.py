@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Says where the evaluation is: one moving line on a terminal, a line per pass in a pipe."""
+import shutil
 import sys
 import time
 
@@ -28,7 +29,8 @@ class Progress:
         text += f", results {configuration.latency_us:g} us late" if configuration.queries else ""
         text += f", {kind}" + self.left()
         if self.stream.isatty():
-            self.stream.write(f"\r\x1b[K{text}")
+            width = shutil.get_terminal_size().columns - 1  # a line that wraps could not be overwritten
+            self.stream.write(f"\r\x1b[K{text[:width]}")
         else:
             self.stream.write(f"{text}\n")
         self.stream.flush()
