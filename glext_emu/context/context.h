@@ -65,6 +65,7 @@ struct Context {
     GLenum pending_error = GL_NO_ERROR;  // returned by the next GetError, before the driver's
     int own_calls = 0;                   // nested OwnCalls scopes
     bool inside_begin_end = false;
+    GLint list_base = 0;  // while inside Begin/End, where it can neither change nor be asked for
     ListRecording recording;
     std::vector<SavedEnable> attrib_stack;
     OcclusionSlot slot;

@@ -25,9 +25,21 @@ struct Contexts {
 Contexts& contexts() {
     static Contexts* const all = [] {
         auto* made = new Contexts;
-        // A fork in the midst of another thread's create or destroy must not leave the child a locked door.
-        pthread_atfork([] { contexts().mutex.lock(); }, [] { contexts().mutex.unlock(); },
-                       [] { contexts().mutex.unlock(); });
+        // A fork in the midst of another thread's work must not leave the child a locked door.
+        pthread_atfork(
+            [] {
+                contexts().mutex.lock();
+                Report::before_fork();
+            },
+            [] {
+                Report::after_fork(false);
+                contexts().mutex.unlock();
+            },
+            [] {
+                Report::after_fork(true);
+                for (const auto& [handle, ctx] : contexts().by_handle) ctx->frame = {};
+                contexts().mutex.unlock();
+            });
         return made;
     }();
     return *all;
@@ -54,12 +66,11 @@ GLint get(const Context& ctx, GLenum name) {
     return value;
 }
 
-// OpenGL 3.1 had no profiles: what is no compatibility context lacks this extension.
-bool has_compatibility_extension(const Context& ctx) {
+// For contexts of 3.0 and later. What the driver has, whether the device hides it or not.
+bool driver_has(const Context& ctx, const char* extension) {
     for (GLint i = get(ctx, GL_NUM_EXTENSIONS); i-- > 0;) {
         const GLubyte* name = ctx.real->glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
-        if (name != nullptr && std::strcmp(reinterpret_cast<const char*>(name), "GL_ARB_compatibility") == 0)
-            return true;
+        if (name != nullptr && std::strcmp(reinterpret_cast<const char*>(name), extension) == 0) return true;
     }
     return false;
 }
@@ -74,8 +85,12 @@ ContextKind read_kind(const Context& ctx) {
     if (kind.version >= GlVersion{3, 2}) {
         kind.is_core_profile = (get(ctx, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
     }
-    if (kind.version == GlVersion{3, 1}) kind.is_core_profile = !has_compatibility_extension(ctx);
+    // OpenGL 3.1 had no profiles: what is no compatibility context lacks this extension.
+    if (kind.version == GlVersion{3, 1}) kind.is_core_profile = !driver_has(ctx, "GL_ARB_compatibility");
     if (kind.version >= GlVersion{3, 0}) {
+        kind.has_any_samples = kind.version >= GlVersion{3, 3} || driver_has(ctx, "GL_ARB_occlusion_query2");
+        kind.has_query_buffer =
+            kind.version >= GlVersion{4, 4} || driver_has(ctx, "GL_ARB_query_buffer_object");
         kind.is_no_error = (get(ctx, GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_NO_ERROR_BIT) != 0;
     }
     return kind;
@@ -98,11 +113,6 @@ std::uint32_t always_hot(const Context& ctx) {
 void initialise(Context& ctx) {
     ctx.kind = read_kind(ctx);
     ctx.advertised = advertise(ctx, settings().device);
-    const bool is_desktop = !ctx.kind.is_es;
-    ctx.kind.has_any_samples =
-        is_desktop && (ctx.kind.version >= GlVersion{3, 3} || ctx.advertised->has("GL_ARB_occlusion_query2"));
-    ctx.kind.has_query_buffer = is_desktop && (ctx.kind.version >= GlVersion{4, 4} ||
-                                               ctx.advertised->has("GL_ARB_query_buffer_object"));
     if (ctx.kind.is_compatibility()) ctx.kind.attrib_stack_depth = get(ctx, GL_MAX_ATTRIB_STACK_DEPTH);
     ctx.emulates_test = ctx.kind.is_compatibility() && settings().device.emulates("GL_HP_occlusion_test");
     ctx.always_hot = always_hot(ctx);
@@ -116,13 +126,14 @@ void initialise(Context& ctx) {
 }  // namespace
 
 void context_created(const char* platform, const RealGl& real, const void* handle, const void* share) {
-    const std::lock_guard lock(contexts().mutex);
+    std::unique_lock lock(contexts().mutex);
     const auto shared = contexts().by_handle.find(share);
     auto group =
         shared != contexts().by_handle.end() ? shared->second->share_group : std::make_shared<ShareGroup>();
     auto* made = new Context(platform, &real, std::move(group));
-    Context*& entry = contexts().by_handle[handle];
-    release(std::exchange(entry, made));
+    Context* const stale = std::exchange(contexts().by_handle[handle], made);
+    lock.unlock();
+    release(stale);
 }
 
 Context* forget_context(const void* handle) {
@@ -137,14 +148,17 @@ void end_context(Context* ctx) {
 
 void restore_context(const void* handle, Context* ctx) {
     if (ctx == nullptr) return;
-    const std::lock_guard lock(contexts().mutex);
-    contexts().by_handle[handle] = ctx;
+    std::unique_lock lock(contexts().mutex);
+    if (contexts().by_handle.try_emplace(handle, ctx).second) return;
+    lock.unlock();
+    release(ctx);
 }
 
 void context_leaves_thread() {
     // A context that is destroyed with a query still active crashes llvmpipe, whose rasteriser writes into
     // it; the program knows of no query, so it is not the one to blame. The next draw opens another segment.
-    if (current.context != nullptr && !current.context->recording.is_open()) close_segment(*current.context);
+    Context* const ctx = current.context;
+    if (ctx != nullptr && !ctx->recording.is_open() && !ctx->inside_begin_end) close_segment(*ctx);
 }
 
 void context_made_current(const char* platform, const RealGl& real, const void* handle) {
@@ -176,8 +190,13 @@ void context_copied(const void* from, const void* to, GLbitfield mask) {
 }
 
 void for_each_context(void (*visit)(Context& ctx)) {
-    const std::lock_guard lock(contexts().mutex);
-    for (const auto& [handle, ctx] : contexts().by_handle) visit(*ctx);
+    // Called at exit too, which may interrupt anything: what is locked then stays untouched.
+    const std::unique_lock lock(contexts().mutex, std::try_to_lock);
+    if (!lock.owns_lock()) return;
+    for (const auto& [handle, ctx] : contexts().by_handle) {
+        const bool is_elsewhere = ctx != current.context && ctx->references > 1;
+        if (!is_elsewhere) visit(*ctx);
+    }
 }
 
 void buffers_swapped() {

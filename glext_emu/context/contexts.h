@@ -24,7 +24,8 @@ void context_leaves_thread();
 void context_made_current(const char* platform, const RealGl& real, const void* handle);
 // The driver has copied the state groups of <mask> from one context to another (glXCopyContext).
 void context_copied(const void* from, const void* to, GLbitfield mask);
-// Calls <visit> for each context that is not destroyed yet.
+// Calls <visit> for each context that is not destroyed yet and not current in another thread. Does nothing
+// where a creation or destruction is under way.
 void for_each_context(void (*visit)(Context& ctx));
 // The program has swapped the buffers of the current context's drawable.
 void buffers_swapped();

@@ -158,7 +158,7 @@ DeviceOrError parse_device(std::string_view text, std::string_view file) {
 
     std::string version;
     root.string("gl_version", version, false);
-    if (!version.empty()) {
+    if (result.error.empty() && parsed.table().contains("gl_version")) {
         device.gl_version = parse_version(version);
         if (!device.gl_version) {
             root.complain(root.line_of("gl_version"),

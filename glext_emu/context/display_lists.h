@@ -30,9 +30,13 @@ struct ListStep {
 };
 using ListRecipe = std::vector<ListStep>;
 
+// What playing a list does to a Begin/End pair: most lists leave it as it is.
+enum class BeginEnd { kUnchanged, kOpens, kCloses };
+
 // What the contexts of a share group have in common.
 struct ShareGroup {
     std::mutex mutex;
+    std::map<GLuint, BeginEnd> begin_ends;                        // of the driver's lists that change it
     std::map<GLuint, std::shared_ptr<const ListRecipe>> recipes;  // by the program's name
     std::set<GLuint> hidden_lists;  // names of the driver's that the program never sees
 };
@@ -43,6 +47,7 @@ struct ListRecording {
     GLenum mode = 0;
     GLuint segment = 0;  // the driver's list that is open now
     ListRecipe steps;
+    BeginEnd begin_end = BeginEnd::kUnchanged;  // what the open segment does so far
     bool is_suspended = false;  // our own work is under way: commands are executed, not compiled
 
     bool is_open() const { return name != 0 && !is_suspended; }

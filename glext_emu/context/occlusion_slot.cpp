@@ -20,7 +20,7 @@ GLenum segment_target(const Context& ctx) {
 void fold_segments(Context& ctx) {
     OcclusionSlot& slot = ctx.slot;
     for (const GLuint segment : slot.unread_segments) {
-        slot.flag = slot.flag || read_result(ctx, segment) != 0;
+        slot.flag = slot.flag || has_passed(ctx, segment);
         slot.spare.push_back(segment);
     }
     slot.unread_segments.clear();
@@ -33,7 +33,7 @@ bool is_occlusion_target(GLenum target) {
            target == GL_ANY_SAMPLES_PASSED_CONSERVATIVE;
 }
 
-GLuint64 read_result(Context& ctx, GLuint query) {
+bool has_passed(Context& ctx, GLuint query) {
     const OwnCalls own(ctx);
     // With a query buffer bound, the driver would take the pointer for an offset into it.
     GLint buffer = 0;
@@ -42,7 +42,7 @@ GLuint64 read_result(Context& ctx, GLuint query) {
     GLuint result = 0;
     ctx.real->glGetQueryObjectuiv(query, GL_QUERY_RESULT, &result);
     if (buffer != 0) ctx.real->glBindBuffer(GL_QUERY_BUFFER, static_cast<GLuint>(buffer));
-    return result;
+    return result != 0;
 }
 
 bool OcclusionSlot::is_hidden(GLuint name) const {
@@ -87,11 +87,12 @@ bool take_flag(Context& ctx) {
         // starts anew.
         const OwnCalls own(ctx);
         ctx.real->glEndQuery(slot.app_target);
-        slot.flag = read_result(ctx, slot.app_query) != 0 || slot.flag;
+        slot.flag = has_passed(ctx, slot.app_query) || slot.flag;
         ctx.real->glBeginQuery(slot.app_target, slot.app_query);
+        slot.flag_due = ctx.clock.due();
     }
     if (slot.ended_app_query != 0) {
-        slot.flag = read_result(ctx, slot.ended_app_query) != 0 || slot.flag;
+        slot.flag = has_passed(ctx, slot.ended_app_query) || slot.flag;
         slot.ended_app_query = 0;
     }
     fold_segments(ctx);

@@ -21,8 +21,9 @@ struct Context;
 // SAMPLES_PASSED, ANY_SAMPLES_PASSED or ANY_SAMPLES_PASSED_CONSERVATIVE: the targets that fill the slot.
 bool is_occlusion_target(GLenum target);
 
-// Reads a query result from the driver into client memory, whatever query buffer is bound; blocks.
-GLuint64 read_result(Context& ctx, GLuint query);
+// True where a sample passed in a query that has ended. Waits for the driver, and returns to client memory
+// whatever query buffer is bound.
+bool has_passed(Context& ctx, GLuint query);
 
 // A query object of the program that has ended, or is active, on an occlusion target.
 struct QueryRecord {

@@ -3,8 +3,9 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <pthread.h>
+#include <signal.h>
 #include <sys/file.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -54,20 +55,48 @@ bool write_all(int file, const std::string& text, off_t at) {
     return true;
 }
 
-// <records> starts with a newline and has commas between its records. Nothing is written over a file that is
-// not a report.
-const char* append_to_file(int file, const std::string& records) {
-    const off_t size = lseek(file, 0, SEEK_END);
-    if (size == 0) return write_all(file, kHead + records + kTail, 0) ? nullptr : "cannot be written";
-    char tail[kTailLength];
-    if (size < kHeadLength + kTailLength ||
-        pread(file, tail, kTailLength, size - kTailLength) != kTailLength ||
-        std::memcmp(tail, kTail, kTailLength) != 0) {
-        return "is not a report, so nothing is written to it";
+// A write beyond the program's file size limit is to fail, not to end the program.
+class FileSizeSignalBlocked {
+  public:
+    FileSizeSignalBlocked() {
+        sigemptyset(&signal_);
+        sigaddset(&signal_, SIGXFSZ);
+        pthread_sigmask(SIG_BLOCK, &signal_, &before_);
     }
-    const bool is_first = size == kHeadLength + kTailLength;
-    const std::string text = (is_first ? "" : ",") + records + kTail;
-    return write_all(file, text, size - kTailLength) ? nullptr : "cannot be written";
+    ~FileSizeSignalBlocked() {
+        const timespec now{0, 0};
+        if (sigismember(&before_, SIGXFSZ) == 0) sigtimedwait(&signal_, nullptr, &now);
+        pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    }
+    FileSizeSignalBlocked(const FileSizeSignalBlocked&) = delete;
+    FileSizeSignalBlocked& operator=(const FileSizeSignalBlocked&) = delete;
+
+  private:
+    sigset_t signal_;
+    sigset_t before_;
+};
+
+// <records> starts with a newline and has commas between its records. Returns what went wrong, or null.
+// Nothing is written over a file that is not a report, and what cannot be written whole is taken back.
+const char* append_to_file(int file, const std::string& records) {
+    const FileSizeSignalBlocked blocked;
+    const off_t size = lseek(file, 0, SEEK_END);
+    off_t at = 0;
+    std::string text = kHead;
+    if (size != 0) {
+        char tail[kTailLength];
+        if (size < kHeadLength + kTailLength ||
+            pread(file, tail, kTailLength, size - kTailLength) != kTailLength ||
+            std::memcmp(tail, kTail, kTailLength) != 0) {
+            return "is not a report, so nothing is written to it";
+        }
+        at = size - kTailLength;
+        text = at == kHeadLength ? "" : ",";
+    }
+    if (write_all(file, text + records + kTail, at)) return nullptr;
+    // The old brackets take no more room than there was.
+    if (ftruncate(file, size) == 0 && size != 0) write_all(file, kTail, at);
+    return "cannot be written";
 }
 
 }  // namespace
@@ -80,13 +109,18 @@ Report& Report::instance() {
 std::atomic<Report*> Report::made_{nullptr};
 
 Report::Report() : path_(settings().report_path), is_wanted_(!path_.empty()) {
-    if (!is_wanted()) return;
-    // The child writes what happens in the child.
-    pthread_atfork([] { instance().mutex_.lock(); }, [] { instance().mutex_.unlock(); },
-                   [] {
-                       instance().buffer_.clear();
-                       instance().mutex_.unlock();
-                   });
+}
+
+void Report::before_fork() {
+    if (Report* const report = made_) report->mutex_.lock();
+}
+
+void Report::after_fork(bool is_child) {
+    Report* const report = made_;
+    if (report == nullptr) return;
+    // The parent writes what happened in the parent.
+    if (is_child) report->buffer_.clear();
+    report->mutex_.unlock();
 }
 
 void Report::begin_context(const Context& ctx) {
@@ -103,8 +137,10 @@ void Report::begin_context(const Context& ctx) {
 
 void Report::add_frame(Context& ctx) {
     const FrameCounts& frame = ctx.frame;
-    char stall_ms[32];
-    std::snprintf(stall_ms, sizeof stall_ms, "%.6f", static_cast<double>(frame.stall_ns) * 1e-6);
+    // By hand: printf's decimal point is the locale's.
+    char stall_ms[48];
+    std::snprintf(stall_ms, sizeof stall_ms, "%llu.%06llu", frame.stall_ns / 1'000'000ULL,
+                  frame.stall_ns % 1'000'000ULL);
     append("{\"kind\":\"frame\",\"pid\":" + std::to_string(getpid()) +
            ",\"context\":" + std::to_string(ctx.number) + ",\"frame\":" + std::to_string(frame.index) +
            ",\"queries_begun\":" + std::to_string(frame.queries_begun) +
@@ -147,7 +183,10 @@ void Report::flush_locked() {
     const char* problem = "cannot be opened";
     const int file = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file >= 0) {
-        if (flock(file, LOCK_EX) == 0) problem = append_to_file(file, buffer_);
+        int locked = -1;
+        while ((locked = flock(file, LOCK_EX)) != 0 && errno == EINTR) {
+        }
+        if (locked == 0) problem = append_to_file(file, buffer_);
         close(file);
     }
     buffer_.clear();
@@ -158,7 +197,9 @@ void Report::flush_locked() {
 
 void Report::flush_at_exit() {
     Report* const report = made_;
-    if (report == nullptr) return;
+    // exit() from a signal handler may have interrupted a write of this very thread.
+    if (report == nullptr || !report->mutex_.try_lock()) return;
+    report->mutex_.unlock();
     for_each_context([](Context& ctx) { instance().end_context(ctx); });
     report->flush();
 }

@@ -29,6 +29,10 @@ class Report {
     // Does nothing in a process that never had a context.
     static void flush_at_exit();
 
+    // Around fork, so that the child finds the door open; what happened before is the parent's to write.
+    static void before_fork();
+    static void after_fork(bool is_child);
+
     bool is_wanted() const { return is_wanted_; }
     void begin_context(const Context& ctx);
     void end_frame(Context& ctx);

@@ -4,14 +4,16 @@
 #include <sys/auxv.h>
 #include <unistd.h>
 
+#include <climits>
 #include <cstdio>
 #include <cstdlib>
 
 namespace glext_emu {
 
 bool Settings::steps_aside() const {
-    return off || (device.name == "native" && latency.kind == occlusion_unit::ClockKind::kNone &&
-                   report_path.empty() && doctor_path.empty());
+    return off ||
+           (device.name == "native" && device.is_pass_through() &&
+            latency.kind == occlusion_unit::ClockKind::kNone && report_path.empty() && doctor_path.empty());
 }
 
 SettingsOrError parse_settings(const char* text) {
@@ -57,6 +59,17 @@ SettingsOrError parse_settings(const char* text) {
     return result;
 }
 
+namespace {
+
+// A path that stays right when the program changes its folder; the empty one stays empty.
+std::string absolute(const std::string& path) {
+    char folder[PATH_MAX];
+    if (path.empty() || path.front() == '/' || getcwd(folder, sizeof folder) == nullptr) return path;
+    return std::string(folder) + "/" + path;
+}
+
+}  // namespace
+
 const Settings& settings() {
     // Leaked on purpose: GL may be called after static destructors have run.
     static const Settings* const instance = [] {
@@ -71,6 +84,7 @@ const Settings& settings() {
             _exit(2);
         }
         *made = std::move(parsed.settings);
+        made->report_path = absolute(made->report_path);
         return made;
     }();
     return *instance;

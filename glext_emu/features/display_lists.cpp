@@ -2,6 +2,7 @@
 // Display lists. A list that holds emulated operations becomes a recipe: the driver's lists with our
 // operations between them. Where emulated operations can occur, a nested CallList counts as one, since the
 // inner list may hold some by the time it is called.
+#include "context/settings.h"
 #include "features/features.h"
 #include "features/list_recorder.h"
 
@@ -14,10 +15,6 @@ namespace {
 // GL 4.6 compatibility, 21.4: calls nested deeper than MAX_LIST_NESTING (at least 64) are ignored.
 constexpr int kDeepestNesting = 64;
 thread_local constinit int nesting __attribute__((tls_model("initial-exec"))) = 0;
-
-bool splits_lists(const Context& ctx) {
-    return ctx.emulates_test || ctx.clock.delays();
-}
 
 GLuint make_hidden_list(Context& ctx) {
     const OwnCalls own(ctx);
@@ -44,16 +41,32 @@ void forget_recipe(Context& ctx, GLuint list) {
     if (recipe == nullptr) return;
     for (const ListStep& step : *recipe) {
         if (step.real_list == 0 || step.real_list == list) continue;
+        {
+            // First: once it is deleted, the driver may give its name to another thread.
+            const std::lock_guard lock(ctx.share_group->mutex);
+            ctx.share_group->hidden_lists.erase(step.real_list);
+            ctx.share_group->begin_ends.erase(step.real_list);
+        }
         ctx.real->glDeleteLists(step.real_list, 1);
-        const std::lock_guard lock(ctx.share_group->mutex);
-        ctx.share_group->hidden_lists.erase(step.real_list);
     }
     const std::lock_guard lock(ctx.share_group->mutex);
     ctx.share_group->recipes.erase(list);
 }
 
+// Remembers what the segment that ends here does to a Begin/End pair.
+void note_begin_end(ShareGroup& group, const ListRecording& recording) {
+    const std::lock_guard lock(group.mutex);
+    if (recording.begin_end == BeginEnd::kUnchanged) {
+        group.begin_ends.erase(recording.segment);
+    } else {
+        group.begin_ends[recording.segment] = recording.begin_end;
+    }
+}
+
 void close_step(Context& ctx) {
     ctx.real->glEndList();
+    note_begin_end(*ctx.share_group, ctx.recording);
+    ctx.recording.begin_end = BeginEnd::kUnchanged;
     ctx.recording.steps.push_back({ctx.recording.segment, {}});
 }
 
@@ -67,11 +80,26 @@ void open_segment_ahead(Context& ctx) {
     if (ctx.recording.mode == GL_COMPILE_AND_EXECUTE && ctx.slot.wants_segment()) open_segment(ctx);
 }
 
+// Plays a list of the driver's own.
+void play(Context& ctx, GLuint real_list) {
+    BeginEnd begin_end = BeginEnd::kUnchanged;
+    {
+        const std::lock_guard lock(ctx.share_group->mutex);
+        const auto found = ctx.share_group->begin_ends.find(real_list);
+        if (found != ctx.share_group->begin_ends.end()) begin_end = found->second;
+    }
+    before_draw(ctx, unknown());
+    if (begin_end == BeginEnd::kOpens) remember_list_base(ctx);
+    ctx.real->glCallList(real_list);
+    if (begin_end != BeginEnd::kUnchanged) ctx.inside_begin_end = begin_end == BeginEnd::kOpens;
+}
+
 void execute(Context& ctx, GLuint list) {
     const auto recipe = recipe_of(ctx, list);
     if (recipe == nullptr) {
-        before_draw(ctx, unknown());
-        return ctx.real->glCallList(list);
+        // To the program, a name of the layer's is a list that does not exist.
+        if (!is_hidden(ctx, list)) play(ctx, list);
+        return;
     }
     if (nesting == kDeepestNesting) return;
     ++nesting;
@@ -79,8 +107,7 @@ void execute(Context& ctx, GLuint list) {
         if (step.real_list == 0) {
             step.operation.run(ctx, step.operation);
         } else {
-            before_draw(ctx, unknown());
-            ctx.real->glCallList(step.real_list);
+            play(ctx, step.real_list);
         }
     }
     --nesting;
@@ -142,6 +169,15 @@ GLuint offset_at(const std::byte* at, GLenum type) {
 
 }  // namespace
 
+bool records_operations(const Context& ctx) {
+    return ctx.emulates_test || ctx.clock.delays() || settings().device.counter_bits;
+}
+
+void remember_list_base(Context& ctx) {
+    if (!ctx.inside_begin_end && records_operations(ctx))
+        ctx.real->glGetIntegerv(GL_LIST_BASE, &ctx.list_base);
+}
+
 void record(Context& ctx, ListOperation operation) {
     close_step(ctx);
     if (ctx.recording.mode == GL_COMPILE_AND_EXECUTE) {
@@ -167,13 +203,17 @@ ListPause::~ListPause() {
 }
 
 void new_list(Context& ctx, GLuint list, GLenum mode) {
-    const bool is_accepted = list != 0 && (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE) &&
+    const bool is_accepted = ctx.kind.is_compatibility() && list != 0 &&
+                             (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE) &&
                              ctx.recording.name == 0 && !ctx.inside_begin_end;
     if (!is_accepted) return ctx.real->glNewList(list, mode);
 
     ctx.recording = {.name = list, .mode = mode, .segment = list, .steps = {}};
-    // A name of the program's that the layer uses already is compiled elsewhere.
-    if (is_hidden(ctx, list)) ctx.recording.segment = make_hidden_list(ctx);
+    // A name that the layer uses is compiled elsewhere; so is an old list of the program's, which stands
+    // until EndList.
+    if (records_operations(ctx) && (is_hidden(ctx, list) || ctx.real->glIsList(list))) {
+        ctx.recording.segment = make_hidden_list(ctx);
+    }
     open_segment_ahead(ctx);
     ctx.real->glNewList(ctx.recording.segment, mode);
     ctx.update_hot();
@@ -185,6 +225,7 @@ void end_list(Context& ctx) {
     ListRecording done = std::exchange(ctx.recording, {});
     ctx.real->glEndList();
     ctx.update_hot();
+    note_begin_end(*ctx.share_group, done);
     forget_recipe(ctx, done.name);
     if (done.steps.empty() && done.segment == done.name) return;
     done.steps.push_back({done.segment, {}});
@@ -193,7 +234,8 @@ void end_list(Context& ctx) {
 }
 
 void call_list(Context& ctx, GLuint list) {
-    if (ctx.recording.is_open() && splits_lists(ctx)) {
+    // Between Begin and End a list cannot be split; no emulated operation is allowed there anyway.
+    if (ctx.recording.is_open() && records_operations(ctx) && !ctx.inside_begin_end) {
         return record(ctx, {[](Context& c, const ListOperation& op) { call_list(c, op.first); }, list});
     }
     execute(ctx, list);
@@ -201,12 +243,12 @@ void call_list(Context& ctx, GLuint list) {
 
 void call_lists(Context& ctx, GLsizei n, GLenum type, const void* lists) {
     const std::size_t size = element_size(type);
-    if (n <= 0 || size == 0 || lists == nullptr || !splits_lists(ctx)) {
+    if (n <= 0 || size == 0 || lists == nullptr || !records_operations(ctx)) {
         before_draw(ctx, unknown());
         return ctx.real->glCallLists(n, type, lists);
     }
     const auto* const bytes = static_cast<const std::byte*>(lists);
-    if (ctx.recording.is_open()) {
+    if (ctx.recording.is_open() && !ctx.inside_begin_end) {
         ListOperation operation{[](Context& c, const ListOperation& op) {
                                     call_lists(c, static_cast<GLsizei>(op.first), op.second, op.bytes.data());
                                 },
@@ -215,8 +257,8 @@ void call_lists(Context& ctx, GLsizei n, GLenum type, const void* lists) {
         return record(ctx, std::move(operation));
     }
 
-    GLint base = 0;
-    if (!ctx.inside_begin_end) ctx.real->glGetIntegerv(GL_LIST_BASE, &base);
+    remember_list_base(ctx);
+    const GLint base = ctx.list_base;
     for (GLsizei i = 0; i < n; ++i) {
         execute(ctx, static_cast<GLuint>(base) + offset_at(bytes + static_cast<std::size_t>(i) * size, type));
     }

@@ -2,6 +2,7 @@
 // What happens before a draw: the HP test's segment is opened when the first draw needs it, so that enabling
 // the test costs nothing, and the report counts.
 #include "features/features.h"
+#include "features/list_recorder.h"
 
 namespace glext_emu::features {
 namespace {
@@ -30,11 +31,21 @@ void before_draw(Context& ctx, Triangles triangles) {
 
 void begin(Context& ctx, GLenum mode) {
     before_draw(ctx, unknown());
-    if (!ctx.recording.only_compiles() && is_primitive(mode)) ctx.inside_begin_end = true;
+    if (is_primitive(mode)) {
+        if (ctx.recording.is_open()) ctx.recording.begin_end = BeginEnd::kOpens;
+        if (!ctx.recording.only_compiles()) {
+            remember_list_base(ctx);
+            ctx.inside_begin_end = true;
+        }
+    }
     ctx.real->glBegin(mode);
 }
 
 void end(Context& ctx) {
+    if (ctx.recording.is_open()) {
+        const bool has_begin = ctx.recording.begin_end == BeginEnd::kOpens;
+        ctx.recording.begin_end = has_begin ? BeginEnd::kUnchanged : BeginEnd::kCloses;
+    }
     if (!ctx.recording.only_compiles()) ctx.inside_begin_end = false;
     ctx.real->glEnd();
 }

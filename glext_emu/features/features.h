@@ -23,7 +23,6 @@ void pop_attrib(Context& ctx);
 bool read_test_result(Context& ctx);
 
 // query_objects.cpp
-void gen_queries(Context& ctx, GLsizei n, GLuint* ids);
 void create_queries(Context& ctx, GLenum target, GLsizei n, GLuint* ids);
 void delete_queries(Context& ctx, GLsizei n, const GLuint* ids);
 GLboolean is_query(Context& ctx, GLuint id);

@@ -6,6 +6,13 @@
 
 namespace glext_emu::features {
 
+// True where lists can hold operations that the driver must not compile, or that the layer has to see
+// executed.
+bool records_operations(const Context& ctx);
+
+// Reads the driver's list base for the Begin/End pair that is about to be opened.
+void remember_list_base(Context& ctx);
+
 // Compiles <operation> into the list; executes it too under COMPILE_AND_EXECUTE.
 void record(Context& ctx, ListOperation operation);
 

@@ -49,7 +49,7 @@ void delete_queries(Context& ctx, GLsizei n, const GLuint* ids) {
             const ListPause pause(ctx);
             const bool was_active = name == ctx.slot.app_query;
             if (was_active) end_query(ctx, ctx.slot.app_target);
-            ctx.slot.flag = read_result(ctx, name) != 0 || ctx.slot.flag;
+            ctx.slot.flag = has_passed(ctx, name) || ctx.slot.flag;
             ctx.slot.ended_app_query = 0;
         }
         if (name == ctx.slot.app_query) ctx.slot.app_query = 0;
@@ -66,7 +66,7 @@ GLboolean is_query(Context& ctx, GLuint id) {
 void begin_query(Context& ctx, GLenum target, GLuint id) {
     if (ctx.inside_begin_end) return ctx.real->glBeginQuery(target, id);
     if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
-    if (ctx.recording.is_open() && is_occlusion_target(target) && (ctx.emulates_test || ctx.clock.delays())) {
+    if (ctx.recording.is_open() && is_occlusion_target(target) && records_operations(ctx)) {
         return record(ctx, {[](Context& c, const ListOperation& op) { begin_query(c, op.first, op.second); },
                             target, id});
     }
@@ -100,7 +100,7 @@ void begin_query_indexed(Context& ctx, GLenum target, GLuint index, GLuint id) {
 void end_query(Context& ctx, GLenum target) {
     if (ctx.inside_begin_end || !is_occlusion_target(target)) return ctx.real->glEndQuery(target);
     if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
-    if (ctx.recording.is_open() && (ctx.emulates_test || ctx.clock.delays())) {
+    if (ctx.recording.is_open() && records_operations(ctx)) {
         return record(ctx, {[](Context& c, const ListOperation& op) { end_query(c, op.first); }, target});
     }
     // With none of the program's active, the driver would end the layer's own.

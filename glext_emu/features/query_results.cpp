@@ -47,7 +47,7 @@ void get_query_object(Context& ctx, GLuint id, GLenum pname, T* params, void (*r
                 return;
             }
             // A deterministic clock does not depend on when the driver happens to be ready.
-            if (ctx.clock.is_deterministic()) read_result(ctx, id);
+            if (ctx.clock.is_deterministic()) has_passed(ctx, id);
             real(id, pname, params);
             record.was_seen_available = *params != GL_FALSE;
             return;
@@ -62,8 +62,9 @@ void get_query_object(Context& ctx, GLuint id, GLenum pname, T* params, void (*r
             return;
         }
         case GL_QUERY_RESULT_NO_WAIT:
-            if (ctx.clock.delays() && !ctx.clock.reached(record.due)) return;
-            if (ctx.clock.is_deterministic()) read_result(ctx, id);
+            ctx.frame.polls++;
+            if (ctx.clock.delays() && !ctx.clock.poll(record.due)) return;
+            if (ctx.clock.is_deterministic()) has_passed(ctx, id);
             real(id, pname, params);
             saturate(record, *params);
             return;

@@ -7,6 +7,7 @@
 // libc or a sanitizer is ready: no libc calls here but dlvsym, no instrumentation, no static that needs a
 // guard.
 #include <dlfcn.h>
+#include <unistd.h>
 
 #include <atomic>
 
@@ -47,6 +48,20 @@ FREESTANDING void find_next() {
     seam_next_dlsym = next != nullptr ? next : libc_dlsym;
 }
 
+// True where the environment asks the layer for something: a GLEXT_EMU that is neither empty nor 0.
+FREESTANDING bool is_wanted() {
+    for (char** entry = environ; entry != nullptr && *entry != nullptr; ++entry) {
+        const char* name = "GLEXT_EMU=";
+        const char* c = *entry;
+        while (*name != '\0' && *name == *c) {
+            ++name;
+            ++c;
+        }
+        if (*name == '\0') return *c != '\0' && !equals(c, "0");
+    }
+    return false;
+}
+
 // With RTLD_DEEPBIND a library, and whatever it pulls in, finds libc's dlsym before ours: libGLX or libEGL
 // loaded that way would escape the layer. Loaded before, and without the flag, they bind to ours; the
 // program's flag stays as it is.
@@ -73,5 +88,6 @@ void* seam_symbol(void* library, const char* name) {
 
 void seam_before_dlopen(const char* file, int flags) {
     find_next();
-    if ((flags & RTLD_DEEPBIND) != 0 && file != nullptr) load_gl_ahead();
+    const bool is_deep = (flags & (RTLD_DEEPBIND | RTLD_NOLOAD)) == RTLD_DEEPBIND;
+    if (is_deep && file != nullptr && is_wanted()) load_gl_ahead();
 }

@@ -14,6 +14,7 @@ namespace {
 struct RealGlx {
     GLXContext (*create)(Display*, XVisualInfo*, GLXContext, Bool) = nullptr;
     GLXContext (*create_new)(Display*, GLXFBConfig, int, GLXContext, Bool) = nullptr;
+    GLXContext (*create_sgix)(Display*, GLXFBConfig, int, GLXContext, Bool) = nullptr;
     GLXContext (*create_attribs)(Display*, GLXFBConfig, GLXContext, Bool, const int*) = nullptr;
     void (*destroy)(Display*, GLXContext) = nullptr;
     void (*copy)(Display*, GLXContext, GLXContext, unsigned long) = nullptr;
@@ -36,27 +37,43 @@ template <int kDriver>
 struct Hooks {
     static RealGlx& real() { return reals[kDriver]; }
 
-    static GLXContext created(GLXContext context, GLXContext share, Bool is_direct) {
-        // An indirect context renders in the X server, out of reach.
-        if (context != nullptr && is_direct) context_created("glx", real_gl_of(kDriver), context, share);
+    // An indirect context renders in the X server, out of reach.
+    static bool is_direct(Display* display, GLXContext context) {
+        const auto ask =
+            reinterpret_cast<Bool (*)(Display*, GLXContext)>(driver_function(kDriver, "glXIsDirect"));
+        return ask == nullptr || ask(display, context);
+    }
+    static GLXContext created(Display* display, GLXContext context, GLXContext share) {
+        if (context != nullptr && is_direct(display, context)) {
+            context_created("glx", real_gl_of(kDriver), context, share);
+        }
         return context;
+    }
+    static void made_current(Display* display, GLXContext context) {
+        const bool is_reached = context != nullptr && is_direct(display, context);
+        context_made_current("glx", real_gl_of(kDriver), is_reached ? context : nullptr);
     }
 
     static GLXContext create(Display* display, XVisualInfo* visual, GLXContext share, Bool direct) {
-        return created(real().create(display, visual, share, direct), share, direct);
+        return created(display, real().create(display, visual, share, direct), share);
     }
     static GLXContext create_new(Display* display, GLXFBConfig config, int type, GLXContext share,
                                  Bool direct) {
-        return created(real().create_new(display, config, type, share, direct), share, direct);
+        return created(display, real().create_new(display, config, type, share, direct), share);
+    }
+    static GLXContext create_sgix(Display* display, GLXFBConfig config, int type, GLXContext share,
+                                  Bool direct) {
+        return created(display, real().create_sgix(display, config, type, share, direct), share);
     }
     static GLXContext create_attribs(Display* display, GLXFBConfig config, GLXContext share, Bool direct,
                                      const int* attributes) {
         if (asks_for_es(attributes)) {
-            return created(real().create_attribs(display, config, share, direct, attributes), share, direct);
+            return created(display, real().create_attribs(display, config, share, direct, attributes), share);
         }
         const auto obedient =
             obey_device(attributes, 0, GLX_CONTEXT_MAJOR_VERSION_ARB, GLX_CONTEXT_MINOR_VERSION_ARB);
-        return created(real().create_attribs(display, config, share, direct, obedient.data()), share, direct);
+        return created(display, real().create_attribs(display, config, share, direct, obedient.data()),
+                       share);
     }
     static void destroy(Display* display, GLXContext context) {
         Context* const forgotten = forget_context(context);
@@ -70,14 +87,14 @@ struct Hooks {
     static Bool make_current(Display* display, GLXDrawable drawable, GLXContext context) {
         context_leaves_thread();
         const Bool done = real().make_current(display, drawable, context);
-        if (done) context_made_current("glx", real_gl_of(kDriver), context);
+        if (done) made_current(display, context);
         return done;
     }
     static Bool make_context_current(Display* display, GLXDrawable draw, GLXDrawable read,
                                      GLXContext context) {
         context_leaves_thread();
         const Bool done = real().make_context_current(display, draw, read, context);
-        if (done) context_made_current("glx", real_gl_of(kDriver), context);
+        if (done) made_current(display, context);
         return done;
     }
     static void swap(Display* display, GLXDrawable drawable) {
@@ -91,21 +108,22 @@ struct Hooks {
         return count;
     }
 
-    static void* find(const char* name, void* driver_function) {
+    static void* find(const char* name, void* real_function) {
         const auto is = [name](const char* other) { return std::strcmp(name, other) == 0; };
-        if (is("glXCreateContext")) return take(real().create, driver_function, create);
-        if (is("glXCreateNewContext")) return take(real().create_new, driver_function, create_new);
+        if (is("glXCreateContext")) return take(real().create, real_function, create);
+        if (is("glXCreateNewContext")) return take(real().create_new, real_function, create_new);
+        if (is("glXCreateContextWithConfigSGIX")) return take(real().create_sgix, real_function, create_sgix);
         if (is("glXCreateContextAttribsARB"))
-            return take(real().create_attribs, driver_function, create_attribs);
-        if (is("glXDestroyContext")) return take(real().destroy, driver_function, destroy);
-        if (is("glXCopyContext")) return take(real().copy, driver_function, copy);
-        if (is("glXMakeCurrent")) return take(real().make_current, driver_function, make_current);
+            return take(real().create_attribs, real_function, create_attribs);
+        if (is("glXDestroyContext")) return take(real().destroy, real_function, destroy);
+        if (is("glXCopyContext")) return take(real().copy, real_function, copy);
+        if (is("glXMakeCurrent")) return take(real().make_current, real_function, make_current);
         if (is("glXMakeContextCurrent") || is("glXMakeCurrentReadSGI")) {
-            return take(real().make_context_current, driver_function, make_context_current);
+            return take(real().make_context_current, real_function, make_context_current);
         }
-        if (is("glXSwapBuffers")) return take(real().swap, driver_function, swap);
-        if (is("glXSwapBuffersMscOML")) return take(real().swap_msc, driver_function, swap_msc);
-        return driver_function;
+        if (is("glXSwapBuffers")) return take(real().swap, real_function, swap);
+        if (is("glXSwapBuffersMscOML")) return take(real().swap_msc, real_function, swap_msc);
+        return real_function;
     }
 };
 

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -63,9 +64,15 @@ std::string preload_with(const std::string& library, const std::string& program)
     for (const std::string& needed : read_elf(program).needed) {
         if (needed.starts_with("libasan.so") || needed.starts_with("libtsan.so")) add(needed);
     }
+    // ld.so separates the list by both.
+    if (library.find_first_of(": ") != std::string::npos) {
+        throw BadUse(fmt::format("{} cannot be preloaded: its path holds a space or a colon.", library));
+    }
     add(library);
     const char* before = std::getenv("LD_PRELOAD");
-    std::istringstream items(before == nullptr ? "" : before);
+    std::string list = before == nullptr ? "" : before;
+    std::ranges::replace(list, ' ', ':');
+    std::istringstream items(list);
     for (std::string item; std::getline(items, item, ':');) {
         if (!item.empty() && fs::path(item).filename() != kLibrary) add(item);
     }
