@@ -76,6 +76,15 @@ class Report(unittest.TestCase):
         self.assertEqual(self.path.read_text(), "precious\n")
         self.assertIn("is not a report, so nothing is written to it", result.stderr)
 
+    def test_a_file_that_may_not_grow_stays_whole_and_the_program_goes_on(self):
+        # 200 blocks of 512 bytes: some hundred frames.
+        command = self.command("timeout", "3", "glxgears", device="mesa")
+        result = subprocess.run(["sh", "-c", 'ulimit -f 200; exec "$@"', "sh", *command], capture_output=True, text=True)
+        self.assertEqual(result.returncode, 124, "timeout ended it, not a signal")
+        self.assertIn("cannot be written", result.stderr)
+        self.assertGreater(len(self.records("frame")), 10)
+        self.assertLessEqual(self.path.stat().st_size, 200 * 512)
+
     def test_an_earlier_report_is_replaced_by_the_launcher(self):
         for _ in range(2):
             subprocess.run(self.command(EXAMPLE), check=True, stdout=subprocess.DEVNULL)
