@@ -80,14 +80,28 @@ void open_segment_ahead(Context& ctx) {
     if (ctx.recording.mode == GL_COMPILE_AND_EXECUTE && ctx.slot.wants_segment()) open_segment(ctx);
 }
 
-// Plays a list of the driver's own.
-void play(Context& ctx, GLuint real_list) {
+// What is known of one of the driver's lists; of most of them nothing.
+struct Known {
+    std::shared_ptr<const ListRecipe> recipe;
+    bool is_hidden = false;
     BeginEnd begin_end = BeginEnd::kUnchanged;
-    {
-        const std::lock_guard lock(ctx.share_group->mutex);
-        const auto found = ctx.share_group->begin_ends.find(real_list);
-        if (found != ctx.share_group->begin_ends.end()) begin_end = found->second;
+};
+
+Known look_up(Context& ctx, GLuint list) {
+    ShareGroup& group = *ctx.share_group;
+    const std::lock_guard lock(group.mutex);
+    Known known;
+    if (const auto found = group.recipes.find(list); found != group.recipes.end())
+        known.recipe = found->second;
+    if (const auto found = group.begin_ends.find(list); found != group.begin_ends.end()) {
+        known.begin_end = found->second;
     }
+    known.is_hidden = group.hidden_lists.contains(list);
+    return known;
+}
+
+// Plays a list of the driver's own.
+void play(Context& ctx, GLuint real_list, BeginEnd begin_end) {
     before_draw(ctx, unknown());
     if (begin_end == BeginEnd::kOpens) remember_list_base(ctx);
     ctx.real->glCallList(real_list);
@@ -95,19 +109,19 @@ void play(Context& ctx, GLuint real_list) {
 }
 
 void execute(Context& ctx, GLuint list) {
-    const auto recipe = recipe_of(ctx, list);
-    if (recipe == nullptr) {
+    const Known known = look_up(ctx, list);
+    if (known.recipe == nullptr) {
         // To the program, a name of the layer's is a list that does not exist.
-        if (!is_hidden(ctx, list)) play(ctx, list);
+        if (!known.is_hidden) play(ctx, list, known.begin_end);
         return;
     }
     if (nesting == kDeepestNesting) return;
     ++nesting;
-    for (const ListStep& step : *recipe) {
+    for (const ListStep& step : *known.recipe) {
         if (step.real_list == 0) {
             step.operation.run(ctx, step.operation);
         } else {
-            play(ctx, step.real_list);
+            play(ctx, step.real_list, look_up(ctx, step.real_list).begin_end);
         }
     }
     --nesting;
