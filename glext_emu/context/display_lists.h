@@ -38,7 +38,8 @@ struct ShareGroup {
     std::mutex mutex;
     std::map<GLuint, BeginEnd> begin_ends;                        // of the driver's lists that change it
     std::map<GLuint, std::shared_ptr<const ListRecipe>> recipes;  // by the program's name
-    std::set<GLuint> hidden_lists;  // names of the driver's that the program never sees
+    std::set<GLuint> defined_lists;  // by the program's EndList, in contexts that record operations
+    std::set<GLuint> hidden_lists;   // names of the driver's that the program never sees
 };
 
 // The list that is being compiled.

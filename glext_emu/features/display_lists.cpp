@@ -29,6 +29,12 @@ bool is_hidden(Context& ctx, GLuint list) {
     return ctx.share_group->hidden_lists.contains(list);
 }
 
+// A name from GenLists is a list too, but an empty one: nobody misses it when it is replaced early.
+bool is_defined(Context& ctx, GLuint list) {
+    const std::lock_guard lock(ctx.share_group->mutex);
+    return ctx.share_group->defined_lists.contains(list);
+}
+
 std::shared_ptr<const ListRecipe> recipe_of(Context& ctx, GLuint list) {
     const std::lock_guard lock(ctx.share_group->mutex);
     const auto found = ctx.share_group->recipes.find(list);
@@ -225,7 +231,7 @@ void new_list(Context& ctx, GLuint list, GLenum mode) {
     ctx.recording = {.name = list, .mode = mode, .segment = list, .steps = {}};
     // A name that the layer uses is compiled elsewhere; so is an old list of the program's, which stands
     // until EndList.
-    if (records_operations(ctx) && (is_hidden(ctx, list) || ctx.real->glIsList(list))) {
+    if (records_operations(ctx) && (is_hidden(ctx, list) || is_defined(ctx, list))) {
         ctx.recording.segment = make_hidden_list(ctx);
     }
     open_segment_ahead(ctx);
@@ -241,9 +247,11 @@ void end_list(Context& ctx) {
     ctx.update_hot();
     note_begin_end(*ctx.share_group, done);
     forget_recipe(ctx, done.name);
-    if (done.steps.empty() && done.segment == done.name) return;
+    const bool is_split = !done.steps.empty() || done.segment != done.name;
     done.steps.push_back({done.segment, {}});
     const std::lock_guard lock(ctx.share_group->mutex);
+    if (records_operations(ctx)) ctx.share_group->defined_lists.insert(done.name);
+    if (!is_split) return;
     ctx.share_group->recipes[done.name] = std::make_shared<const ListRecipe>(std::move(done.steps));
 }
 
@@ -286,7 +294,9 @@ void delete_lists(Context& ctx, GLuint list, GLsizei range) {
     std::vector<GLuint> kept;
     {
         const std::lock_guard lock(ctx.share_group->mutex);
-        const ShareGroup& group = *ctx.share_group;
+        ShareGroup& group = *ctx.share_group;
+        group.defined_lists.erase(group.defined_lists.lower_bound(list),
+                                  group.defined_lists.upper_bound(last));
         for (auto r = group.recipes.lower_bound(list); r != group.recipes.end() && r->first <= last; ++r) {
             recipes.push_back(r->first);
         }

@@ -26,10 +26,6 @@ GLuint active_query(Context& ctx, GLenum target) {
 
 }  // namespace
 
-void gen_queries(Context& ctx, GLsizei n, GLuint* ids) {
-    ctx.real->glGenQueries(n, ids);
-}
-
 void create_queries(Context& ctx, GLenum target, GLsizei n, GLuint* ids) {
     if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
     ctx.real->glCreateQueries(target, n, ids);
