@@ -3,6 +3,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -25,7 +26,10 @@ class EglPlatform final : public Platform {
     Handle create_context(const ContextWish& wish, Handle share) override {
         eglBindAPI(wish.api == Api::kEs2 ? EGL_OPENGL_ES_API : EGL_OPENGL_API);
         std::vector<EGLint> attributes;
-        if (wish.api == Api::kEs2) attributes = {EGL_CONTEXT_MAJOR_VERSION, 2};
+        if (wish.api == Api::kEs2) {
+            attributes = {EGL_CONTEXT_MAJOR_VERSION, std::max(wish.major, 2), EGL_CONTEXT_MINOR_VERSION,
+                          wish.minor};
+        }
         if (wish.api != Api::kEs2 && wish.major > 0) {
             attributes = {EGL_CONTEXT_MAJOR_VERSION, wish.major, EGL_CONTEXT_MINOR_VERSION, wish.minor};
             // The attribute has no meaning below 3.2 and some drivers refuse it there.

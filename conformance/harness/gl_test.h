@@ -22,6 +22,11 @@ class GlTest : public ::testing::Test {
     void SetUp() override;
     void TearDown() override;
 
+    // Which context a fixture runs on, and what it sets in it before each test; overridden by those of
+    // another API.
+    virtual ContextWish wish() const { return {}; }
+    virtual void prepare();
+
     const Surface& surface() const { return *surface_; }
     const Context& context() const { return *context_; }
     // Makes this test's own context current again, on its own surface or another.

@@ -13,6 +13,7 @@ std::unique_ptr<Platform> the_platform;
 bool open_platform(const std::string& name) {
     if (name == "egl") the_platform = open_egl_platform();
     if (name == "glx") the_platform = open_glx_platform();
+    if (name == "osmesa") the_platform = open_osmesa_platform();
     return the_platform != nullptr;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contexts and surfaces on a window system: EGL without a surface (default) or GLX on a display.
+// Contexts and surfaces on a window system: EGL without a display (default), GLX on a display, or Mesa's
+// off-screen library OSMesa.
 //
 // A Surface is a default framebuffer of kSurfaceSize x kSurfaceSize pixels with RGBA8 colour; a Context is
 // any API and version. Both are handed out by the one Platform that --platform chose, and go when their owner
@@ -14,11 +15,12 @@ namespace conformance {
 
 inline constexpr int kSurfaceSize = 64;  // pixels, both ways
 
+// kEs2 is OpenGL ES from 2 on, as EGL's OPENGL_ES2_BIT is.
 enum class Api { kCompatibility, kCore, kEs2 };
 
 struct ContextWish {
     Api api = Api::kCompatibility;
-    int major = 0;  // 0: whatever the driver gives
+    int major = 0;  // 0: whatever the driver gives; of ES at least 2
     int minor = 0;
 };
 
@@ -34,7 +36,7 @@ class Platform {
 
     virtual ~Platform() = default;
 
-    // 0 where the driver refuses.
+    // 0 where the driver refuses, or the platform has no such thing.
     virtual Handle create_context(const ContextWish& wish, Handle share) = 0;
     virtual Handle create_surface(const SurfaceWish& wish) = 0;
     virtual void destroy_context(Handle context) = 0;
@@ -46,8 +48,14 @@ class Platform {
 
 std::unique_ptr<Platform> open_egl_platform();
 std::unique_ptr<Platform> open_glx_platform();
+std::unique_ptr<Platform> open_osmesa_platform();
 
-// Called once by main; nullptr where the platform has no display to open.
+// OSMesa brings its own gl functions, and a program that is linked with libGL reaches them by a preload:
+// starts the program anew with the library preloaded, or returns false where there is no such library. Called
+// before all else.
+bool preload_osmesa(char* const* argv);
+
+// Called once by main; false where the platform has no display to open, or has no such name.
 bool open_platform(const std::string& name);
 void close_platform();
 Platform& platform();
