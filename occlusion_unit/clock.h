@@ -47,7 +47,7 @@ class Clock {
     void count_swap();
 
     // When a query that ends now is due.
-    Tick due() const { return now() + span(); }
+    Tick due() { return latest_due_ = now() + span(); }
     // The program asks whether a result is there. Under frames, polling alone moves the clock too, so that a
     // program that waits for a result before it swaps goes on.
     bool poll(Tick due);
@@ -55,6 +55,8 @@ class Clock {
     bool reached(Tick due) const { return now() >= due; }
     // A blocking read: returns when the clock has reached <due>.
     void wait_until(Tick due);
+    // Returns when everything is due that has ended so far, as Finish does.
+    void finish() { wait_until(latest_due_); }
 
   private:
     Tick now() const;
@@ -63,6 +65,7 @@ class Clock {
     Latency latency_;
     Tick calls_ = 0;
     Tick frames_ = 0;
+    Tick latest_due_ = 0;
     unsigned polls_since_swap_ = 0;
 };
 

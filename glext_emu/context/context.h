@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "context/advertised.h"
+#include "context/conditional_render.h"
 #include "context/current.h"
 #include "context/device.h"
 #include "context/display_lists.h"
@@ -38,6 +39,8 @@ struct ContextKind {
     bool is_no_error = false;
     GLint attrib_stack_depth = 0;  // compatibility contexts only
 
+    bool has_64_bit_results = false;
+
     bool is_compatibility() const { return !is_es && !is_core_profile; }
 };
 
@@ -58,7 +61,10 @@ struct Context {
     bool is_initialised = false;  // by the first MakeCurrent
     ContextKind kind;
     const Advertised* advertised = nullptr;
-    bool emulates_test = false;  // GL_HP_occlusion_test
+    bool emulates_test = false;        // GL_HP_occlusion_test
+    bool emulates_nv_query = false;    // GL_NV_occlusion_query
+    bool emulates_nvx_render = false;  // GL_NVX_conditional_render
+    bool follows_text = false;  // where the driver departs from it; false on a device that passes through
     std::uint32_t always_hot = 0;
 
     std::uint32_t hot = 0;
@@ -69,9 +75,21 @@ struct Context {
     ListRecording recording;
     std::vector<SavedEnable> attrib_stack;
     OcclusionSlot slot;
+    ConditionalRender conditional;
     occlusion_unit::Clock clock;
     FrameCounts frame;
 };
+
+// Makes a call of the driver's in the program's name; true where it raised no error.
+template <class Call>
+bool driver_accepts(Context& ctx, Call call) {
+    if (ctx.pending_error == GL_NO_ERROR) ctx.pending_error = ctx.real->glGetError();
+    call();
+    const GLenum error = ctx.real->glGetError();
+    if (error != GL_NO_ERROR && ctx.pending_error == GL_NO_ERROR) ctx.pending_error = error;
+    ctx.update_hot();
+    return error == GL_NO_ERROR;
+}
 
 // The layer's own calls of the driver in the midst of the program's: an error that the program has pending
 // survives them, an error of theirs is not seen. Never between Begin and End.

@@ -91,6 +91,7 @@ ContextKind read_kind(const Context& ctx) {
         kind.has_any_samples = kind.version >= GlVersion{3, 3} || driver_has(ctx, "GL_ARB_occlusion_query2");
         kind.has_query_buffer =
             kind.version >= GlVersion{4, 4} || driver_has(ctx, "GL_ARB_query_buffer_object");
+        kind.has_64_bit_results = kind.version >= GlVersion{3, 3} || driver_has(ctx, "GL_ARB_timer_query");
         kind.is_no_error = (get(ctx, GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_NO_ERROR_BIT) != 0;
     }
     return kind;
@@ -101,9 +102,11 @@ std::uint32_t always_hot(const Context& ctx) {
     constexpr std::uint32_t kCounting = kHotDraw | kHotImmediate | kHotList | kHotQuery;
     std::uint32_t hot = 0;
     if (!wanted.report_path.empty()) hot |= kCounting;
-    if (ctx.emulates_test) hot |= kHotImmediate | kHotList | kHotQuery | kHotEnable | kHotAttrib | kHotGet;
-    if (ctx.clock.delays()) hot |= kHotImmediate | kHotList | kHotQuery;
-    if (wanted.device.counter_bits || refuses_any_query(ctx)) hot |= kHotQuery;
+    if (ctx.emulates_test) hot |= kHotEnable | kHotAttrib | kHotGet;
+    if (ctx.follows_text) hot |= kHotImmediate | kHotList | kHotQuery;
+    if (ctx.emulates_nv_query) hot |= kHotNvquery;
+    if (ctx.emulates_nvx_render) hot |= kHotNvxrender;
+    if (ctx.clock.delays()) hot |= kHotImmediate | kHotList | kHotQuery | kHotFinish;
     if (ctx.advertised->version_differs || ctx.advertised->extensions_differ) hot |= kHotString | kHotGet;
     if (ctx.clock.counts_calls()) hot |= kHotAll;
     return hot;
@@ -114,7 +117,11 @@ void initialise(Context& ctx) {
     ctx.kind = read_kind(ctx);
     ctx.advertised = advertise(ctx, settings().device);
     if (ctx.kind.is_compatibility()) ctx.kind.attrib_stack_depth = get(ctx, GL_MAX_ATTRIB_STACK_DEPTH);
-    ctx.emulates_test = ctx.kind.is_compatibility() && settings().device.emulates("GL_HP_occlusion_test");
+    const Device& device = settings().device;
+    ctx.follows_text = !device.is_pass_through();
+    ctx.emulates_test = ctx.kind.is_compatibility() && device.emulates("GL_HP_occlusion_test");
+    ctx.emulates_nv_query = ctx.kind.is_compatibility() && device.emulates("GL_NV_occlusion_query");
+    ctx.emulates_nvx_render = ctx.kind.is_compatibility() && device.emulates("GL_NVX_conditional_render");
     ctx.always_hot = always_hot(ctx);
     ctx.is_initialised = true;
     Report::instance().begin_context(ctx);

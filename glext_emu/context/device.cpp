@@ -20,7 +20,8 @@ constexpr Builtin kBuiltins[] = {
 #include "builtin_devices.inc"
 };
 
-constexpr std::string_view kCanEmulate[] = {"GL_HP_occlusion_test"};
+constexpr std::string_view kCanEmulate[] = {"GL_HP_occlusion_test", "GL_NV_occlusion_query",
+                                            "GL_NVX_conditional_render"};
 // A device file larger than this is not one.
 constexpr long kLongestFile = 1 << 20;
 
@@ -175,6 +176,10 @@ DeviceOrError parse_device(std::string_view text, std::string_view file) {
             if (std::ranges::find(kCanEmulate, name) != std::end(kCanEmulate)) continue;
             extensions.complain(extensions.line_of("emulate"),
                                 name + " cannot be emulated, expected one of " + quoted_list(kCanEmulate));
+        }
+        if (device.emulates("GL_NV_occlusion_query") && !device.emulates("GL_HP_occlusion_test")) {
+            extensions.complain(extensions.line_of("emulate"),
+                                "GL_NV_occlusion_query requires GL_HP_occlusion_test beside it");
         }
     }
     if (const toml::table* table = root.table("query")) {

@@ -33,22 +33,41 @@ bool is_occlusion_target(GLenum target) {
            target == GL_ANY_SAMPLES_PASSED_CONSERVATIVE;
 }
 
+GLenum real_target(const Context& ctx, GLenum target) {
+    const bool is_either = ctx.follows_text && !ctx.kind.is_es;
+    return is_either && target == GL_ANY_SAMPLES_PASSED_CONSERVATIVE ? GL_ANY_SAMPLES_PASSED : target;
+}
+
 bool has_passed(Context& ctx, GLuint query) {
+    return driver_count(ctx, query) != 0;
+}
+
+std::uint64_t driver_count(Context& ctx, GLuint query) {
     const OwnCalls own(ctx);
     // With a query buffer bound, the driver would take the pointer for an offset into it.
     GLint buffer = 0;
     if (ctx.kind.has_query_buffer) ctx.real->glGetIntegerv(GL_QUERY_BUFFER_BINDING, &buffer);
     if (buffer != 0) ctx.real->glBindBuffer(GL_QUERY_BUFFER, 0);
-    GLuint result = 0;
-    ctx.real->glGetQueryObjectuiv(query, GL_QUERY_RESULT, &result);
+    GLuint64 count = 0;
+    if (ctx.kind.has_64_bit_results) {
+        ctx.real->glGetQueryObjectui64v(query, GL_QUERY_RESULT, &count);
+    } else {
+        GLuint narrow = 0;
+        ctx.real->glGetQueryObjectuiv(query, GL_QUERY_RESULT, &narrow);
+        count = narrow;
+    }
     if (buffer != 0) ctx.real->glBindBuffer(GL_QUERY_BUFFER, static_cast<GLuint>(buffer));
-    return result != 0;
+    return count;
 }
 
 bool OcclusionSlot::is_hidden(GLuint name) const {
     return name != 0 &&
            (name == open_segment || std::ranges::find(unread_segments, name) != unread_segments.end() ||
             std::ranges::find(spare, name) != spare.end());
+}
+
+bool OcclusionSlot::is_doomed(GLuint name) const {
+    return name != 0 && std::ranges::find(doomed, name) != doomed.end();
 }
 
 void open_segment(Context& ctx) {
@@ -86,9 +105,11 @@ bool take_flag(Context& ctx) {
         // NV_occlusion_query 6.1.13: with the result the pixel counter is reset, so the program's query
         // starts anew.
         const OwnCalls own(ctx);
-        ctx.real->glEndQuery(slot.app_target);
+        const GLenum target = real_target(ctx, slot.app_target);
+        ctx.real->glEndQuery(target);
         slot.flag = has_passed(ctx, slot.app_query) || slot.flag;
-        ctx.real->glBeginQuery(slot.app_target, slot.app_query);
+        ctx.real->glBeginQuery(target, slot.app_query);
+        slot.records[slot.app_query].earlier = 0;
         slot.flag_due = ctx.clock.due();
     }
     if (slot.ended_app_query != 0) {
@@ -105,6 +126,42 @@ void reset_flag(Context& ctx) {
     slot.unread_segments.clear();
     slot.ended_app_query = 0;
     slot.flag = false;
+}
+
+void set_samples_per_count(Context& ctx, GLuint samples) {
+    OcclusionSlot& slot = ctx.slot;
+    QueryRecord& record = slot.records[slot.app_query];
+    const bool counts_already = record.has_drawn;
+    record.has_drawn = true;
+    if (samples == record.samples_per_count) return;
+    if (counts_already) {
+        const OwnCalls own(ctx);
+        ctx.real->glEndQuery(slot.app_target);
+        record.earlier += record.samples_per_count * driver_count(ctx, slot.app_query);
+        ctx.real->glBeginQuery(slot.app_target, slot.app_query);
+        slot.flag = slot.flag || record.earlier != 0;
+    }
+    record.samples_per_count = samples;
+}
+
+bool is_object(Context& ctx, GLuint name) {
+    return !ctx.slot.is_hidden(name) && !ctx.slot.is_doomed(name) && ctx.real->glIsQuery(name) != GL_FALSE;
+}
+
+void delete_doomed(Context& ctx) {
+    OcclusionSlot& slot = ctx.slot;
+    std::erase_if(slot.doomed, [&](GLuint name) {
+        if (name == slot.app_query || name == ctx.conditional.query) return false;
+        // What counts towards the HP flag is read before its object goes.
+        if (name == slot.ended_app_query) {
+            slot.flag = has_passed(ctx, name) || slot.flag;
+            slot.ended_app_query = 0;
+        }
+        slot.records.erase(name);
+        const OwnCalls own(ctx);
+        ctx.real->glDeleteQueries(1, &name);
+        return true;
+    });
 }
 
 void yield_name(Context& ctx, GLuint name) {

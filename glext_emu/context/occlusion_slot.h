@@ -9,6 +9,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <cstdint>
 #include <unordered_map>
 #include <vector>
 
@@ -21,16 +22,27 @@ struct Context;
 // SAMPLES_PASSED, ANY_SAMPLES_PASSED or ANY_SAMPLES_PASSED_CONSERVATIVE: the targets that fill the slot.
 bool is_occlusion_target(GLenum target);
 
-// True where a sample passed in a query that has ended. Waits for the driver, and returns to client memory
+// What the driver has counted in a query that has ended. Waits for the driver, and returns to client memory
 // whatever query buffer is bound.
+std::uint64_t driver_count(Context& ctx, GLuint query);
 bool has_passed(Context& ctx, GLuint query);
 
-// A query object of the program that has ended, or is active, on an occlusion target.
+// The driver's target for one of the program's. Where the text is followed, the two boolean targets are one,
+// since GL 4.5, 4.2, lets an object of either be used with the other and Mesa does not.
+GLenum real_target(const Context& ctx, GLenum target);
+
+// A query object of the program that has ended, or is active, on an occlusion target. Its result is
+// earlier + samples_per_count * (what the driver has counted).
 struct QueryRecord {
-    GLenum target = 0;
+    GLenum target = 0;  // as the program began or created it
     bool has_ended = false;
     bool was_seen_available = false;  // a read does not wait any more
+    bool has_drawn = false;           // since samples_per_count was set
+    GLuint samples_per_count = 1;
+    std::uint64_t earlier = 0;  // counted at another number of samples per count
     occlusion_unit::Tick due = 0;
+
+    bool is_as_counted() const { return earlier == 0 && samples_per_count == 1; }
 };
 
 struct OcclusionSlot {
@@ -38,6 +50,9 @@ struct OcclusionSlot {
     GLuint app_query = 0;  // active on app_target; 0: none
     GLenum app_target = 0;
     std::unordered_map<GLuint, QueryRecord> records;
+
+    // Names that the program has deleted and the driver keeps, because the object is still in use.
+    std::vector<GLuint> doomed;
 
     // The HP test: enable and flag.
     bool test_enabled = false;
@@ -50,7 +65,11 @@ struct OcclusionSlot {
     std::vector<GLuint> unread_segments;  // ended, count towards the flag
     std::vector<GLuint> spare;            // free for reuse
 
+    // True for a name that the driver knows and the program does not.
     bool is_hidden(GLuint name) const;
+    bool is_doomed(GLuint name) const;
+    // True while draws have to be watched for the number of samples that a count stands for.
+    bool counts_samples() const { return app_query != 0 && app_target == GL_SAMPLES_PASSED; }
     // True when a draw has to open a segment first.
     bool wants_segment() const { return test_enabled && app_query == 0 && open_segment == 0; }
 };
@@ -62,6 +81,12 @@ void close_segment(Context& ctx);
 bool take_flag(Context& ctx);
 // Sets the flag to FALSE without reading it.
 void reset_flag(Context& ctx);
+// The program's query goes on with another number of samples for each of the driver's counts.
+void set_samples_per_count(Context& ctx, GLuint samples);
+// True for the name of an object that the program may use.
+bool is_object(Context& ctx, GLuint name);
+// Deletes what is doomed and no longer in use.
+void delete_doomed(Context& ctx);
 // Gives up a hidden query's name that the program is about to use for a query of its own.
 void yield_name(Context& ctx, GLuint name);
 

@@ -30,9 +30,4 @@ bool refuses_conditional_render(const Context& ctx) {
     return is_absent(ctx, "GL_NV_conditional_render", {3, 0});
 }
 
-bool refuses_any_query(const Context& ctx) {
-    return refuses_target(ctx, GL_SAMPLES_PASSED) || refuses_target(ctx, GL_ANY_SAMPLES_PASSED) ||
-           refuses_target(ctx, GL_ANY_SAMPLES_PASSED_CONSERVATIVE) || refuses_conditional_render(ctx);
-}
-
 }  // namespace glext_emu

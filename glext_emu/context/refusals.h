@@ -13,6 +13,5 @@ namespace glext_emu {
 bool refuses_target(const Context& ctx, GLenum target);
 // True where it has no conditional rendering.
 bool refuses_conditional_render(const Context& ctx);
-bool refuses_any_query(const Context& ctx);
 
 }  // namespace glext_emu

@@ -13,12 +13,13 @@ namespace glext_emu {
 struct Hook {
     std::string_view name;
     void* wrapper;
+    bool is_supplied;  // stands in even where the driver has no such command
 };
 
 extern const Hook kHooks[];
 extern const std::size_t kHookCount;
 
-// The wrapper of <name>, or null where the command is not hooked.
-void* find_hook(std::string_view name);
+// The hook of <name>, or null where the command is not hooked.
+const Hook* find_hook(std::string_view name);
 
 }  // namespace glext_emu

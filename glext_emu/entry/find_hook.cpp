@@ -6,10 +6,10 @@
 
 namespace glext_emu {
 
-void* find_hook(std::string_view name) {
+const Hook* find_hook(std::string_view name) {
     const std::span hooks(kHooks, kHookCount);
     const auto found = std::ranges::lower_bound(hooks, name, {}, &Hook::name);
-    return found != hooks.end() && found->name == name ? found->wrapper : nullptr;
+    return found != hooks.end() && found->name == name ? &*found : nullptr;
 }
 
 }  // namespace glext_emu

@@ -2,7 +2,6 @@
 // Display lists. A list that holds emulated operations becomes a recipe: the driver's lists with our
 // operations between them. Where emulated operations can occur, a nested CallList counts as one, since the
 // inner list may hold some by the time it is called.
-#include "context/settings.h"
 #include "features/features.h"
 #include "features/list_recorder.h"
 
@@ -190,7 +189,7 @@ GLuint offset_at(const std::byte* at, GLenum type) {
 }  // namespace
 
 bool records_operations(const Context& ctx) {
-    return ctx.emulates_test || ctx.clock.delays() || settings().device.counter_bits;
+    return ctx.kind.is_compatibility() && (ctx.follows_text || ctx.clock.delays());
 }
 
 void remember_list_base(Context& ctx) {

@@ -13,6 +13,15 @@ void count_draw(Context& ctx, Triangles triangles) {
     ctx.frame.triangles_are_known = ctx.frame.triangles_are_known && triangles.is_known;
 }
 
+// NV_occlusion_query, issues: samples are counted "even if GL_MULTISAMPLE is disabled but GL_SAMPLE_BUFFERS
+// is 1"; Mesa counts pixels then.
+GLuint samples_per_count(Context& ctx) {
+    if (ctx.real->glIsEnabled(GL_MULTISAMPLE) != GL_FALSE) return 1;
+    GLint samples = 0;
+    ctx.real->glGetIntegerv(GL_SAMPLES, &samples);
+    return samples > 1 ? static_cast<GLuint>(samples) : 1;
+}
+
 // The modes that Begin accepts; with another it fails and no Begin/End pair is open.
 bool is_primitive(GLenum mode) {
     return mode <= GL_PATCHES;
@@ -24,6 +33,11 @@ void before_draw(Context& ctx, Triangles triangles) {
     // A command that is only compiled draws nothing now; one between Begin and End is in error.
     if (ctx.recording.only_compiles() || ctx.inside_begin_end) return;
     count_draw(ctx, triangles);
+    if (ctx.follows_text && ctx.slot.counts_samples()) {
+        const GLuint samples = samples_per_count(ctx);
+        const ListPause pause(ctx);
+        set_samples_per_count(ctx, samples);
+    }
     // While a list is compiled and executed, the segment stands open already: opening it now would compile
     // it.
     if (ctx.slot.wants_segment() && !ctx.recording.is_open()) open_segment(ctx);
@@ -48,6 +62,12 @@ void end(Context& ctx) {
     }
     if (!ctx.recording.only_compiles()) ctx.inside_begin_end = false;
     ctx.real->glEnd();
+}
+
+// GL 4.6, 2.3.2: everything has taken effect when Finish returns, so results are there.
+void finish(Context& ctx) {
+    ctx.real->glFinish();
+    if (!ctx.inside_begin_end) ctx.clock.finish();
 }
 
 }  // namespace glext_emu::features

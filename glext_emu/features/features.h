@@ -12,6 +12,7 @@ namespace glext_emu::features {
 void before_draw(Context& ctx, Triangles triangles);
 void begin(Context& ctx, GLenum mode);
 void end(Context& ctx);
+void finish(Context& ctx);
 
 // occlusion_test.cpp: GL_HP_occlusion_test.
 void enable(Context& ctx, GLenum cap);
@@ -23,6 +24,7 @@ void pop_attrib(Context& ctx);
 bool read_test_result(Context& ctx);
 
 // query_objects.cpp
+void gen_queries(Context& ctx, GLsizei n, GLuint* ids);
 void create_queries(Context& ctx, GLenum target, GLsizei n, GLuint* ids);
 void delete_queries(Context& ctx, GLsizei n, const GLuint* ids);
 GLboolean is_query(Context& ctx, GLuint id);
@@ -30,9 +32,26 @@ void begin_query(Context& ctx, GLenum target, GLuint id);
 void begin_query_indexed(Context& ctx, GLenum target, GLuint index, GLuint id);
 void end_query(Context& ctx, GLenum target);
 void end_query_indexed(Context& ctx, GLenum target, GLuint index);
+// Begin and End of an occlusion query as they are executed, by whichever extension's command.
+void start_query(Context& ctx, GLenum target, GLuint id);
+void finish_query(Context& ctx, GLenum target);
 void query_counter(Context& ctx, GLuint id, GLenum target);
 void get_queryiv(Context& ctx, GLenum target, GLenum pname, GLint* params);
 void get_query_indexediv(Context& ctx, GLenum target, GLuint index, GLenum pname, GLint* params);
+void object_label(Context& ctx, GLenum identifier, GLuint name, GLsizei length, const GLchar* label);
+void get_object_label(Context& ctx, GLenum identifier, GLuint name, GLsizei size, GLsizei* length,
+                      GLchar* label);
+
+// nv_occlusion_query.cpp
+void gen_occlusion_queries_nv(Context& ctx, GLsizei n, GLuint* ids);
+void delete_occlusion_queries_nv(Context& ctx, GLsizei n, const GLuint* ids);
+GLboolean is_occlusion_query_nv(Context& ctx, GLuint id);
+void begin_occlusion_query_nv(Context& ctx, GLuint id);
+void end_occlusion_query_nv(Context& ctx);
+void get_occlusion_queryiv_nv(Context& ctx, GLuint id, GLenum pname, GLint* params);
+void get_occlusion_queryuiv_nv(Context& ctx, GLuint id, GLenum pname, GLuint* params);
+// The bits of the samples-passed counter.
+GLint counter_bits(Context& ctx);
 
 // query_results.cpp
 void get_query_objectiv(Context& ctx, GLuint id, GLenum pname, GLint* params);
@@ -43,6 +62,8 @@ void get_query_buffer_objectiv(Context& ctx, GLuint id, GLuint buffer, GLenum pn
 void get_query_buffer_objectuiv(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset);
 void get_query_buffer_objecti64v(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset);
 void get_query_buffer_objectui64v(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset);
+
+// conditional_render.cpp
 void begin_conditional_render(Context& ctx, GLuint id, GLenum mode);
 void begin_conditional_render_nvx(Context& ctx, GLuint id);
 void end_conditional_render(Context& ctx);

@@ -12,6 +12,11 @@ bool is_test(const Context& ctx, GLenum cap) {
     return ctx.emulates_test && cap == GL_OCCLUSION_TEST_HP;
 }
 
+// What a list has to hold as an operation of the layer's.
+bool is_recorded(const Context& ctx, GLenum cap) {
+    return is_test(ctx, cap) || (ctx.follows_text && cap == GL_MULTISAMPLE);
+}
+
 void set_test(Context& ctx, bool is_enabled) {
     ctx.slot.test_enabled = is_enabled;
     if (!is_enabled) close_segment(ctx);
@@ -23,20 +28,22 @@ void set_test(Context& ctx, bool is_enabled) {
 void enable(Context& ctx, GLenum cap) {
     // GL 4.6 compatibility, 10.7.5: between Begin and End the driver raises INVALID_OPERATION whatever <cap>
     // is.
-    if (!is_test(ctx, cap) || ctx.inside_begin_end) return ctx.real->glEnable(cap);
+    if (!is_recorded(ctx, cap) || ctx.inside_begin_end) return ctx.real->glEnable(cap);
     if (ctx.recording.is_open()) {
         return record(ctx, {[](Context& c, const ListOperation& op) { enable(c, op.first); }, cap});
     }
 
+    if (!is_test(ctx, cap)) return ctx.real->glEnable(cap);
     set_test(ctx, true);
 }
 
 void disable(Context& ctx, GLenum cap) {
-    if (!is_test(ctx, cap) || ctx.inside_begin_end) return ctx.real->glDisable(cap);
+    if (!is_recorded(ctx, cap) || ctx.inside_begin_end) return ctx.real->glDisable(cap);
     if (ctx.recording.is_open()) {
         return record(ctx, {[](Context& c, const ListOperation& op) { disable(c, op.first); }, cap});
     }
 
+    if (!is_test(ctx, cap)) return ctx.real->glDisable(cap);
     set_test(ctx, false);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Query objects: names, begin, end. The program's objects are the driver's own; what is remembered of them is
-// when they ended, for the clock and for the HP test's flag.
+// when they ended, for the clock and for the HP test's flag, and what a count of theirs stands for.
 #include "context/refusals.h"
 #include "context/settings.h"
 #include "features/features.h"
@@ -24,27 +24,52 @@ GLuint active_query(Context& ctx, GLenum target) {
     return static_cast<GLuint>(name);
 }
 
+// GL 1.5, 4.1.7: "Calling either GenQueries or DeleteQueries while any query of any target is active causes
+// an INVALID_OPERATION error"; GL 3.0 dropped that.
+bool refuses_names_now(const Context& ctx) {
+    return ctx.follows_text && !ctx.kind.is_es && ctx.advertised->version < GlVersion{3, 0} &&
+           ctx.slot.app_query != 0;
+}
+
+// GL 4.6, 5.1.3: the name of an object in use becomes unused at once, the object stays until it is used no
+// more.
+bool is_in_use(const Context& ctx, GLuint name) {
+    return ctx.follows_text && name != 0 && (name == ctx.slot.app_query || name == ctx.conditional.query);
+}
+
 }  // namespace
+
+void gen_queries(Context& ctx, GLsizei n, GLuint* ids) {
+    if (refuses_names_now(ctx) && !ctx.inside_begin_end) return ctx.raise(GL_INVALID_OPERATION);
+    ctx.real->glGenQueries(n, ids);
+}
 
 void create_queries(Context& ctx, GLenum target, GLsizei n, GLuint* ids) {
     if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
-    ctx.real->glCreateQueries(target, n, ids);
+    const GLenum real = real_target(ctx, target);
+    if (real == target) return ctx.real->glCreateQueries(target, n, ids);
+    const bool was_made = driver_accepts(ctx, [&] { ctx.real->glCreateQueries(real, n, ids); });
+    if (!was_made) return;
+    for (GLsizei i = 0; i < n; ++i) {
+        ctx.slot.records[ids[i]] = {.target = target, .has_ended = true, .was_seen_available = true};
+    }
 }
 
 void delete_queries(Context& ctx, GLsizei n, const GLuint* ids) {
     if (n < 0 || ids == nullptr || ctx.inside_begin_end) return ctx.real->glDeleteQueries(n, ids);
+    if (refuses_names_now(ctx)) return ctx.raise(GL_INVALID_OPERATION);
 
     std::vector<GLuint> names;
     for (GLsizei i = 0; i < n; ++i) {
         const GLuint name = ids[i];
-        if (ctx.slot.is_hidden(name)) continue;
+        if (ctx.slot.is_hidden(name) || ctx.slot.is_doomed(name)) continue;
+        if (is_in_use(ctx, name)) {
+            ctx.slot.doomed.push_back(name);
+            continue;
+        }
         names.push_back(name);
         // What counts towards the HP flag is read before its object goes.
-        const bool counts = name != 0 && (name == ctx.slot.app_query || name == ctx.slot.ended_app_query);
-        if (counts && ctx.emulates_test) {
-            const ListPause pause(ctx);
-            const bool was_active = name == ctx.slot.app_query;
-            if (was_active) end_query(ctx, ctx.slot.app_target);
+        if (name != 0 && name == ctx.slot.ended_app_query) {
             ctx.slot.flag = has_passed(ctx, name) || ctx.slot.flag;
             ctx.slot.ended_app_query = 0;
         }
@@ -56,7 +81,8 @@ void delete_queries(Context& ctx, GLsizei n, const GLuint* ids) {
 }
 
 GLboolean is_query(Context& ctx, GLuint id) {
-    return ctx.slot.is_hidden(id) && !ctx.inside_begin_end ? GL_FALSE : ctx.real->glIsQuery(id);
+    const bool is_unknown = ctx.slot.is_hidden(id) || ctx.slot.is_doomed(id);
+    return is_unknown && !ctx.inside_begin_end ? GL_FALSE : ctx.real->glIsQuery(id);
 }
 
 void begin_query(Context& ctx, GLenum target, GLuint id) {
@@ -67,15 +93,25 @@ void begin_query(Context& ctx, GLenum target, GLuint id) {
                             target, id});
     }
     if (ctx.recording.is_open()) return ctx.real->glBeginQuery(target, id);
+    start_query(ctx, target, id);
+}
+
+void start_query(Context& ctx, GLenum target, GLuint id) {
+    // NV_conditional_render 2.14: an object that is used for conditional rendering cannot be begun; nor can a
+    // name whose object is still in use.
+    if (ctx.follows_text && id != 0 && (id == ctx.conditional.query || ctx.slot.is_doomed(id))) {
+        return ctx.raise(GL_INVALID_OPERATION);
+    }
     yield_name(ctx, id);
+    const GLenum real = real_target(ctx, target);
     // The driver refuses a second query in the slot, and targets of other slots are its own affair.
     if (!is_occlusion_target(target) || !driver_knows(ctx, target) || ctx.slot.app_query != 0) {
-        return ctx.real->glBeginQuery(target, id);
+        return ctx.real->glBeginQuery(real, id);
     }
 
     close_segment(ctx);
-    ctx.real->glBeginQuery(target, id);
-    if (id == 0 || active_query(ctx, target) != id) return ctx.update_hot();
+    ctx.real->glBeginQuery(real, id);
+    if (id == 0 || active_query(ctx, real) != id) return ctx.update_hot();
     // ARB_occlusion_query, issues: BeginQuery "resets the sample count (and therefore the occlusion test
     // result)".
     reset_flag(ctx);
@@ -99,10 +135,16 @@ void end_query(Context& ctx, GLenum target) {
     if (ctx.recording.is_open() && records_operations(ctx)) {
         return record(ctx, {[](Context& c, const ListOperation& op) { end_query(c, op.first); }, target});
     }
-    // With none of the program's active, the driver would end the layer's own.
-    if (ctx.slot.open_segment != 0) return ctx.raise(GL_INVALID_OPERATION);
+    finish_query(ctx, target);
+}
 
-    ctx.real->glEndQuery(target);
+void finish_query(Context& ctx, GLenum target) {
+    // With none of the program's active, the driver would end the layer's own; and what is one target to the
+    // driver may be two to the program.
+    const bool is_other_target = ctx.follows_text && ctx.slot.app_query != 0 && target != ctx.slot.app_target;
+    if (ctx.slot.open_segment != 0 || is_other_target) return ctx.raise(GL_INVALID_OPERATION);
+
+    ctx.real->glEndQuery(real_target(ctx, target));
     if (ctx.recording.is_open() || ctx.slot.app_query == 0 || target != ctx.slot.app_target) return;
     QueryRecord& record = ctx.slot.records[ctx.slot.app_query];
     record.has_ended = true;
@@ -112,6 +154,7 @@ void end_query(Context& ctx, GLenum target) {
         ctx.slot.flag_due = record.due;
     }
     ctx.slot.app_query = 0;
+    delete_doomed(ctx);
     ctx.update_hot();
 }
 
@@ -132,17 +175,35 @@ void get_queryiv(Context& ctx, GLenum target, GLenum pname, GLint* params) {
 
     constexpr GLint kUntouched = -7;  // no width and no name
     GLint value = kUntouched;
-    ctx.real->glGetQueryiv(target, pname, &value);
+    ctx.real->glGetQueryiv(real_target(ctx, target), pname, &value);
     if (value == kUntouched) return;  // in error
     const std::optional<int> bits = settings().device.counter_bits;
     if (pname == GL_QUERY_COUNTER_BITS && target == GL_SAMPLES_PASSED && bits) value = *bits;
     if (pname == GL_CURRENT_QUERY && ctx.slot.open_segment != 0) value = 0;
+    if (pname == GL_CURRENT_QUERY && ctx.follows_text) {
+        value = target == ctx.slot.app_target ? static_cast<GLint>(ctx.slot.app_query) : 0;
+    }
     *params = value;
 }
 
 void get_query_indexediv(Context& ctx, GLenum target, GLuint index, GLenum pname, GLint* params) {
     if (index == 0 && is_occlusion_target(target)) return get_queryiv(ctx, target, pname, params);
     ctx.real->glGetQueryIndexediv(target, index, pname, params);
+}
+
+// KHR_debug: INVALID_VALUE "if <name> is not the name of a valid object of the type specified by
+// <identifier>"; a generated name becomes one at its first begin.
+void object_label(Context& ctx, GLenum identifier, GLuint name, GLsizei length, const GLchar* label) {
+    const bool is_checked = identifier == GL_QUERY && ctx.follows_text && !ctx.inside_begin_end;
+    if (is_checked && !is_object(ctx, name)) return ctx.raise(GL_INVALID_VALUE);
+    ctx.real->glObjectLabel(identifier, name, length, label);
+}
+
+void get_object_label(Context& ctx, GLenum identifier, GLuint name, GLsizei size, GLsizei* length,
+                      GLchar* label) {
+    const bool is_checked = identifier == GL_QUERY && ctx.follows_text && !ctx.inside_begin_end;
+    if (is_checked && !is_object(ctx, name)) return ctx.raise(GL_INVALID_VALUE);
+    ctx.real->glGetObjectLabel(identifier, name, size, length, label);
 }
 
 }  // namespace glext_emu::features

@@ -1,44 +1,102 @@
 // SPDX-License-Identifier: MIT
 // Results of query objects: seen when the clock says so, never before the driver has them.
-#include "context/refusals.h"
 #include "context/settings.h"
 #include "features/features.h"
-#include "features/list_recorder.h"
+#include "features/query_buffers.h"
 #include "features/stall.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace glext_emu::features {
 namespace {
 
-// A result that goes into a query buffer is the driver's to write.
-bool has_query_buffer_bound(Context& ctx) {
-    if (!ctx.kind.has_query_buffer) return false;
+GLuint bound_query_buffer(Context& ctx) {
     GLint buffer = 0;
-    ctx.real->glGetIntegerv(GL_QUERY_BUFFER_BINDING, &buffer);
-    return buffer != 0;
+    if (ctx.kind.has_query_buffer) ctx.real->glGetIntegerv(GL_QUERY_BUFFER_BINDING, &buffer);
+    return static_cast<GLuint>(buffer);
 }
 
-// ARB_occlusion_query, issues: a counter that overflows stays at 2^n-1.
+// True where the program sees what the driver has counted.
+bool is_the_drivers(const QueryRecord& record) {
+    const bool is_counter = record.target == GL_SAMPLES_PASSED;
+    return !is_counter || (record.is_as_counted() && !settings().device.counter_bits);
+}
+
+// What the counter of the machine shows.
 template <class T>
-void saturate(const QueryRecord& record, T& value) {
-    const std::optional<int> bits = settings().device.counter_bits;
-    if (!bits || record.target != GL_SAMPLES_PASSED || *bits >= std::numeric_limits<T>::digits) return;
-    value = std::min(value, static_cast<T>((T{1} << *bits) - 1));
+T seen_count(Context& ctx, const QueryRecord& record, GLuint id) {
+    std::uint64_t count = record.earlier + record.samples_per_count * driver_count(ctx, id);
+    // ARB_occlusion_query, issues: a counter that overflows stays at 2^n-1.
+    const int bits = settings().device.counter_bits.value_or(64);
+    if (bits < 64) count = std::min(count, (std::uint64_t{1} << bits) - 1);
+    // GL 4.6, 4.2.3: what does not fit is returned as the nearest value that does.
+    return static_cast<T>(std::min<std::uint64_t>(count, std::numeric_limits<T>::max()));
+}
+
+// The ways in which a value leaves the driver: <write> makes it write to wherever the program wants it.
+template <class T, class Write>
+void write_to_buffer(Context& ctx, GLuint id, QueryRecord& record, GLenum pname, GLuint buffer,
+                     GLintptr offset, Write write) {
+    const auto accepts = [&] { return driver_accepts(ctx, write); };
+    switch (pname) {
+        case GL_QUERY_RESULT_AVAILABLE: {
+            ctx.frame.polls++;
+            const bool is_due = !ctx.clock.delays() || ctx.clock.poll(record.due);
+            if (is_due && ctx.clock.is_deterministic()) has_passed(ctx, id);
+            if (accepts() && !is_due) put_in_buffer(ctx, buffer, offset, T{GL_FALSE});
+            return;
+        }
+        case GL_QUERY_RESULT: {
+            // The machine's pipeline is in order: whoever reads the buffer gets the result, so it is waited
+            // for.
+            const StallScope stall(ctx);
+            ctx.clock.wait_until(record.due);
+            if (accepts() && !is_the_drivers(record)) {
+                put_in_buffer(ctx, buffer, offset, seen_count<T>(ctx, record, id));
+            }
+            record.was_seen_available = true;
+            ctx.frame.results++;
+            return;
+        }
+        case GL_QUERY_RESULT_NO_WAIT: {
+            ctx.frame.polls++;
+            if (ctx.clock.delays() && !ctx.clock.poll(record.due)) {
+                // The call is judged, and leaves nothing.
+                const auto before = taken_from_buffer<T>(ctx, buffer, offset);
+                if (accepts() && before) put_in_buffer(ctx, buffer, offset, *before);
+                return;
+            }
+            if (ctx.clock.is_deterministic() || !is_the_drivers(record)) has_passed(ctx, id);
+            if (accepts() && !is_the_drivers(record)) {
+                put_in_buffer(ctx, buffer, offset, seen_count<T>(ctx, record, id));
+            }
+            return;
+        }
+        case GL_QUERY_TARGET:
+            if (accepts() && record.target != real_target(ctx, record.target)) {
+                put_in_buffer(ctx, buffer, offset, static_cast<T>(record.target));
+            }
+            return;
+        default:
+            return write();
+    }
 }
 
 template <class T>
 void get_query_object(Context& ctx, GLuint id, GLenum pname, T* params, void (*real)(GLuint, GLenum, T*)) {
     if (ctx.inside_begin_end) return real(id, pname, params);
     // Name zero raises what a name of nobody's raises.
-    if (ctx.slot.is_hidden(id)) return real(0, pname, params);
+    if (ctx.slot.is_hidden(id) || ctx.slot.is_doomed(id)) return real(0, pname, params);
     const auto found = ctx.slot.records.find(id);
-    if (found == ctx.slot.records.end() || !found->second.has_ended || params == nullptr ||
-        has_query_buffer_bound(ctx)) {
-        return real(id, pname, params);
-    }
-
+    if (found == ctx.slot.records.end() || !found->second.has_ended) return real(id, pname, params);
     QueryRecord& record = found->second;
+    if (const GLuint buffer = bound_query_buffer(ctx); buffer != 0) {
+        return write_to_buffer<T>(ctx, id, record, pname, buffer, reinterpret_cast<GLintptr>(params),
+                                  [&] { real(id, pname, params); });
+    }
+    if (params == nullptr) return real(id, pname, params);
+
     switch (pname) {
         case GL_QUERY_RESULT_AVAILABLE:
             ctx.frame.polls++;
@@ -54,8 +112,11 @@ void get_query_object(Context& ctx, GLuint id, GLenum pname, T* params, void (*r
         case GL_QUERY_RESULT: {
             std::optional<StallScope> stall;
             if (!record.was_seen_available) stall.emplace(ctx);
-            real(id, pname, params);
-            saturate(record, *params);
+            if (is_the_drivers(record)) {
+                real(id, pname, params);
+            } else {
+                *params = seen_count<T>(ctx, record, id);
+            }
             ctx.clock.wait_until(record.due);
             record.was_seen_available = true;
             ctx.frame.results++;
@@ -65,17 +126,34 @@ void get_query_object(Context& ctx, GLuint id, GLenum pname, T* params, void (*r
             ctx.frame.polls++;
             if (ctx.clock.delays() && !ctx.clock.poll(record.due)) return;
             if (ctx.clock.is_deterministic()) has_passed(ctx, id);
+            if (is_the_drivers(record)) return real(id, pname, params);
+            {
+                GLuint is_available = GL_FALSE;
+                ctx.real->glGetQueryObjectuiv(id, GL_QUERY_RESULT_AVAILABLE, &is_available);
+                if (is_available != GL_FALSE) *params = seen_count<T>(ctx, record, id);
+            }
+            return;
+        case GL_QUERY_TARGET:
             real(id, pname, params);
-            saturate(record, *params);
+            if (record.target != real_target(ctx, record.target)) *params = static_cast<T>(record.target);
             return;
         default:
             return real(id, pname, params);
     }
 }
 
-// A name that the program may use; zero, which the driver refuses, for one of the layer's.
-GLuint visible_name(const Context& ctx, GLuint id) {
-    return ctx.slot.is_hidden(id) ? 0 : id;
+// ARB_direct_state_access: the same into any buffer.
+template <class T>
+void get_query_buffer_object(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset,
+                             void (*real)(GLuint, GLuint, GLenum, GLintptr)) {
+    if (ctx.inside_begin_end) return real(id, buffer, pname, offset);
+    if (ctx.slot.is_hidden(id) || ctx.slot.is_doomed(id)) return real(0, buffer, pname, offset);
+    const auto found = ctx.slot.records.find(id);
+    const bool is_judged_only = found == ctx.slot.records.end() || !found->second.has_ended ||
+                                ctx.real->glIsBuffer(buffer) == GL_FALSE || offset < 0;
+    if (is_judged_only) return real(id, buffer, pname, offset);
+    write_to_buffer<T>(ctx, id, found->second, pname, buffer, offset,
+                       [&] { real(id, buffer, pname, offset); });
 }
 
 }  // namespace
@@ -97,34 +175,19 @@ void get_query_objectui64v(Context& ctx, GLuint id, GLenum pname, GLuint64* para
 }
 
 void get_query_buffer_objectiv(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset) {
-    ctx.real->glGetQueryBufferObjectiv(visible_name(ctx, id), buffer, pname, offset);
+    get_query_buffer_object<GLint>(ctx, id, buffer, pname, offset, ctx.real->glGetQueryBufferObjectiv);
 }
 
 void get_query_buffer_objectuiv(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset) {
-    ctx.real->glGetQueryBufferObjectuiv(visible_name(ctx, id), buffer, pname, offset);
+    get_query_buffer_object<GLuint>(ctx, id, buffer, pname, offset, ctx.real->glGetQueryBufferObjectuiv);
 }
 
 void get_query_buffer_objecti64v(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset) {
-    ctx.real->glGetQueryBufferObjecti64v(visible_name(ctx, id), buffer, pname, offset);
+    get_query_buffer_object<GLint64>(ctx, id, buffer, pname, offset, ctx.real->glGetQueryBufferObjecti64v);
 }
 
 void get_query_buffer_objectui64v(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset) {
-    ctx.real->glGetQueryBufferObjectui64v(visible_name(ctx, id), buffer, pname, offset);
-}
-
-void begin_conditional_render(Context& ctx, GLuint id, GLenum mode) {
-    if (refuses_conditional_render(ctx)) return ctx.raise(GL_INVALID_OPERATION);
-    ctx.real->glBeginConditionalRender(visible_name(ctx, id), mode);
-}
-
-void begin_conditional_render_nvx(Context& ctx, GLuint id) {
-    if (refuses_conditional_render(ctx)) return ctx.raise(GL_INVALID_OPERATION);
-    ctx.real->glBeginConditionalRenderNVX(visible_name(ctx, id));
-}
-
-void end_conditional_render(Context& ctx) {
-    if (refuses_conditional_render(ctx)) return ctx.raise(GL_INVALID_OPERATION);
-    ctx.real->glEndConditionalRender();
+    get_query_buffer_object<GLuint64>(ctx, id, buffer, pname, offset, ctx.real->glGetQueryBufferObjectui64v);
 }
 
 }  // namespace glext_emu::features

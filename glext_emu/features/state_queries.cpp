@@ -34,6 +34,12 @@ Answer answer(Context& ctx, GLenum pname) {
         if (pname == GL_OCCLUSION_TEST_HP) return {Answer::kOwn, ctx.slot.test_enabled};
         if (pname == GL_OCCLUSION_TEST_RESULT_HP) return {Answer::kOwn, read_test_result(ctx)};
     }
+    if (ctx.emulates_nv_query && !ctx.inside_begin_end) {
+        if (pname == GL_PIXEL_COUNTER_BITS_NV) return {Answer::kOwn, counter_bits(ctx)};
+        if (pname == GL_CURRENT_OCCLUSION_QUERY_ID_NV) {
+            return {Answer::kOwn, ctx.slot.counts_samples() ? static_cast<GLint>(ctx.slot.app_query) : 0};
+        }
+    }
     const Advertised& advertised = *ctx.advertised;
     const bool is_before_3_0 = advertised.version_differs && advertised.version < GlVersion{3, 0};
     switch (pname) {

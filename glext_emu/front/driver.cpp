@@ -33,15 +33,18 @@ struct Driver {
 constinit std::array<Driver, kMostDrivers> drivers{};
 constinit std::mutex mutex;
 
-// What GLVND takes for the driver's function <name>. A wrapper stands in only for what the driver has.
+// What GLVND takes for the driver's function <name>. A wrapper stands in for what the driver has, or what a
+// device supplies.
 void* get_proc_address(int index, const char* name) {
     const Driver& driver = drivers[static_cast<std::size_t>(index)];
     void* const real = driver.get_proc_address(name);
-    if (real == nullptr) return nullptr;
     if (name[0] == 'g' && name[1] == 'l' && name[2] != 'X') {
-        void* const wrapper = find_hook(name);
-        return wrapper != nullptr ? wrapper : real;
+        const Hook* const hook = find_hook(name);
+        if (hook == nullptr) return real;
+        const bool is_there = real != nullptr || (hook->is_supplied && !settings().device.emulate.empty());
+        return is_there ? hook->wrapper : nullptr;
     }
+    if (real == nullptr) return nullptr;
     return driver.is_glx ? glx_hook(index, name, real) : egl_hook(index, name, real);
 }
 

@@ -18,6 +18,9 @@ LOOKS_LIKE_DRAW_OR_QUERY = re.compile(
     r"^gl(Multi(Mode)?)?Draw|^glRect|^glEvalMesh|^glCallList|^gl(Bitmap|Begin$|End$|CopyPixels)|Quer(y|ies)|Conditional"
     r"|^gl(Named)?FramebufferDrawBuffer")
 
+# Classes of commands that a driver may lack: where a device emulates something, they have a wrapper even so.
+SUPPLIED = {"nvquery", "nvxrender"}
+
 BANNER = "// Generated from gl.xml and hooks.list. Do not edit.\n"
 
 
@@ -141,6 +144,9 @@ def hot_bits_header(hooks):
 def wrapper(command, section, how):
     """The fast path holds nothing but the test and a jump, so the slow one is a function of its own."""
     call = f"current.real->{command.name}({command.arguments()})"
+    forward = f"return {call};"
+    if section in SUPPLIED:
+        forward = f"return current.real->{command.name} == nullptr ? {command.returns}() : {call};"
     if section == "draw":
         body = f"    features::before_draw(ctx, features::{how});\n    return {call};"
     else:
@@ -149,14 +155,15 @@ def wrapper(command, section, how):
     return (f"[[gnu::noinline, gnu::cold]] static {command.declaration('slow_' + command.name)} {{\n"
             f"    Context& ctx = enter();\n{body}\n}}\n"
             f"{command.declaration(command.name)} {{\n"
-            f"    if (!(current.hot & kHot{section.capitalize()})) [[likely]] return {call};\n"
+            f"    if (!(current.hot & kHot{section.capitalize()})) [[likely]] {forward}\n"
             f"    return slow_{command.name}({command.arguments()});\n}}")
 
 
 def entry_source(commands, hooks):
     names = sorted(hooks)
     wrappers = "\n\n".join(wrapper(commands[n], *hooks[n]) for n in names)
-    table = "\n".join(f'    {{"{n}", reinterpret_cast<void*>(wrappers::{n})}},' for n in names)
+    table = "\n".join(f'    {{"{n}", reinterpret_cast<void*>(wrappers::{n}), '
+                      f'{"true" if hooks[n][0] in SUPPLIED else "false"}}},' for n in names)
     return (f'{BANNER}#include "entry/entry.h"\n\n#include "features/features.h"\n\n'
             "namespace glext_emu {\nnamespace wrappers {\n\n"
             f"{wrappers}\n\n}}  // namespace wrappers\n\n"
