@@ -34,7 +34,8 @@ GLenum real_target(const Context& ctx, GLenum target);
 // A query object of the program that has ended, or is active, on an occlusion target. Its result is
 // earlier + samples_per_count * (what the driver has counted).
 struct QueryRecord {
-    GLenum target = 0;  // as the program began or created it
+    GLenum target = 0;      // as the program began or created it
+    bool was_begun = true;  // false while it is only created
     bool has_ended = false;
     bool was_seen_available = false;  // a read does not wait any more
     bool has_drawn = false;           // since samples_per_count was set

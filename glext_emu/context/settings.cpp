@@ -16,6 +16,15 @@ bool Settings::steps_aside() const {
             latency.kind == occlusion_unit::ClockKind::kNone && report_path.empty() && doctor_path.empty());
 }
 
+namespace {
+
+// Part of a library's name, so no path; and not this layer's own, which would stand before itself.
+bool is_driver_name(std::string_view name) {
+    return !name.empty() && name != "glextemu" && name.find('/') == std::string_view::npos;
+}
+
+}  // namespace
+
 SettingsOrError parse_settings(const char* text) {
     SettingsOrError result;
     Settings& settings = result.settings;
@@ -42,6 +51,12 @@ SettingsOrError parse_settings(const char* text) {
             settings.latency = *latency;
         } else if (key == "report") {
             settings.report_path = value;
+        } else if (key == "driver") {
+            if (!is_driver_name(value)) {
+                result.error = "`" + std::string(value) + "` is not a driver, expected a GLVND vendor's name.";
+                return result;
+            }
+            settings.driver = value;
         } else if (key == "doctor") {
             settings.doctor_path = value;
         } else {

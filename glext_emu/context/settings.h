@@ -4,6 +4,7 @@
 //   device=NAME_OR_PATH   a built-in device or a .toml file           default native
 //   clock=CLOCK           none, wall=US, calls=N, frames=N            default none
 //   report=FILE           JSON report of queries and draws            default none
+//   driver=NAME           the GLVND vendor that the vendor library stands before   default mesa
 //   doctor=FILE           the launcher's `doctor` listens here        default none
 //
 // GLEXT_EMU=0 switches everything off. This is the only place that reads the environment.
@@ -22,6 +23,7 @@ struct Settings {
     Device device;
     occlusion_unit::Latency latency;
     std::string report_path;
+    std::string driver = "mesa";
     std::string doctor_path;
 
     // True where the layer has nothing to do and leaves the driver alone.

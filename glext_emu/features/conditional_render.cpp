@@ -38,6 +38,23 @@ void correct(Context& ctx, GLuint id, GLenum mode) {
     ctx.real->glBeginConditionalRender(id, GL_QUERY_WAIT);
 }
 
+// A query around nothing: its result is zero, as that of an object that was created and never begun. Mesa
+// draws everything by such an object.
+void count_nothing(Context& ctx, GLuint id, const QueryRecord& record) {
+    if (ctx.slot.app_query != 0) return;
+    close_segment(ctx);
+    const OwnCalls own(ctx);
+    const GLenum target = real_target(ctx, record.target);
+    ctx.real->glBeginQuery(target, id);
+    ctx.real->glEndQuery(target);
+}
+
+// What was drawn between glBegin and glEnd before the block is not part of it. Mesa collects such vertices,
+// and keeps them over its Begin; asking for a list makes it draw them.
+void draw_collected_vertices(Context& ctx) {
+    if (ctx.kind.is_compatibility()) ctx.real->glIsList(0);
+}
+
 }  // namespace
 
 void begin_conditional_render(Context& ctx, GLuint id, GLenum mode) {
@@ -59,6 +76,8 @@ void begin_conditional_render(Context& ctx, GLuint id, GLenum mode) {
     // A deterministic clock does not depend on when the driver happens to be ready.
     if (is_ended && ctx.clock.is_deterministic()) has_passed(ctx, id);
     if (!is_followed(ctx)) return ctx.real->glBeginConditionalRender(id, mode);
+    if (ctx.follows_text) draw_collected_vertices(ctx);
+    if (is_ended && !found->second.was_begun) count_nothing(ctx, id, found->second);
     if (!driver_accepts(ctx, [&] { ctx.real->glBeginConditionalRender(id, mode); })) return;
 
     ctx.conditional = {.query = id, .is_in_driver = true};

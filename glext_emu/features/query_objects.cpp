@@ -46,12 +46,12 @@ void gen_queries(Context& ctx, GLsizei n, GLuint* ids) {
 
 void create_queries(Context& ctx, GLenum target, GLsizei n, GLuint* ids) {
     if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
+    if (!ctx.follows_text || !is_occlusion_target(target)) return ctx.real->glCreateQueries(target, n, ids);
     const GLenum real = real_target(ctx, target);
-    if (real == target) return ctx.real->glCreateQueries(target, n, ids);
-    const bool was_made = driver_accepts(ctx, [&] { ctx.real->glCreateQueries(real, n, ids); });
-    if (!was_made) return;
+    if (!driver_accepts(ctx, [&] { ctx.real->glCreateQueries(real, n, ids); })) return;
     for (GLsizei i = 0; i < n; ++i) {
-        ctx.slot.records[ids[i]] = {.target = target, .has_ended = true, .was_seen_available = true};
+        ctx.slot.records[ids[i]] = {
+            .target = target, .was_begun = false, .has_ended = true, .was_seen_available = true};
     }
 }
 

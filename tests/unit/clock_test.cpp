@@ -98,6 +98,20 @@ TEST(Clock, due_times_never_fall) {
     }
 }
 
+TEST(Clock, after_a_finish_everything_that_has_ended_is_due) {
+    for (const char* text : {"wall=30", "calls=3", "frames=2"}) {
+        Clock clock = clock_of(text);
+        const Tick first = clock.due();
+        clock.count_call();
+        const Tick second = clock.due();
+        EXPECT_FALSE(clock.reached(second)) << text;
+        clock.finish();
+        EXPECT_TRUE(clock.reached(first)) << text;
+        EXPECT_TRUE(clock.reached(second)) << text;
+        EXPECT_FALSE(clock.reached(clock.due())) << text;
+    }
+}
+
 TEST(Clock, a_blocking_read_on_the_wall_is_never_early) {
     // Short waits are spun, long ones slept.
     for (const char* text : {"wall=30", "wall=1500"}) {

@@ -82,6 +82,24 @@ TEST(Device, every_built_in_device_is_good_and_has_its_own_name) {
     }
 }
 
+TEST(Device, an_nv_query_needs_the_hp_test_beside_it) {
+    constexpr std::string_view kFile = R"(name = "n"
+description = "d"
+source = "s"
+[extensions]
+emulate = [EXTENSIONS]
+)";
+    const auto with = [&](std::string_view extensions) {
+        std::string text(kFile);
+        return parse_device(text.replace(text.find("EXTENSIONS"), 10, extensions), "f.toml");
+    };
+    EXPECT_TRUE(with(R"("GL_HP_occlusion_test", "GL_NV_occlusion_query")").device);
+    EXPECT_TRUE(with(R"("GL_HP_occlusion_test")").device);
+    const DeviceOrError alone = with(R"("GL_NV_occlusion_query")");
+    EXPECT_FALSE(alone.device);
+    EXPECT_EQ(alone.error, "f.toml:5: GL_NV_occlusion_query requires GL_HP_occlusion_test beside it.");
+}
+
 TEST(Device, the_driver_as_it_is_is_a_pass_through) {
     EXPECT_TRUE(load_device("native").device->is_pass_through());
     EXPECT_TRUE(load_device("mesa").device->is_pass_through());
