@@ -53,7 +53,8 @@ SettingsOrError parse_settings(const char* text) {
             settings.report_path = value;
         } else if (key == "driver") {
             if (!is_driver_name(value)) {
-                result.error = "`" + std::string(value) + "` is not a driver, expected a GLVND vendor's name.";
+                result.error =
+                    "`" + std::string(value) + "` is not a driver, expected a GLVND vendor's name.";
                 return result;
             }
             settings.driver = value;
