@@ -2,12 +2,12 @@
 #include "front/driver.h"
 
 #include <dlfcn.h>
-#include <glvnd/libeglabi.h>
 #include <glvnd/libglxabi.h>
 
 #include <algorithm>
 #include <array>
 #include <mutex>
+#include <string>
 #include <utility>
 
 #include "context/doctor.h"
@@ -20,8 +20,6 @@ namespace glext_emu {
 bool gl_was_loaded_ahead = false;
 
 namespace {
-
-using EglMain = EGLBoolean (*)(std::uint32_t, const __EGLapiExports*, __EGLvendorInfo*, __EGLapiImports*);
 
 struct Driver {
     void* real_main = nullptr;
@@ -53,7 +51,7 @@ void take_driver(int index, GetProcAddress real) {
     driver.get_proc_address = real;
     load_real_gl(driver.real, real);
     default_real = driver.real;
-    doctor_note(driver.is_glx ? "hooked GLX" : "hooked EGL");
+    doctor_note((std::string(driver.is_glx ? "hooked GLX" : "hooked EGL") + ", " + front_name).c_str());
     if (gl_was_loaded_ahead) doctor_note("GL was loaded ahead of a library that asked for RTLD_DEEPBIND");
 }
 

@@ -3,9 +3,18 @@
 // then its getProcAddress is replaced by one that knows the wrappers.
 #pragma once
 
+#include <glvnd/libeglabi.h>
+
+#include <cstdint>
+
 #include "real_gl.h"
 
 namespace glext_emu {
+
+// How the layer got under this process: each front end, a library of its own, has its word for it.
+extern const char* const front_name;
+
+using EglMain = EGLBoolean (*)(std::uint32_t, const __EGLapiExports*, __EGLvendorInfo*, __EGLapiImports*);
 
 // <real> is a driver's __glx_Main or __egl_Main. Returns what GLVND shall call instead: a wrapper, or <real>
 // itself where the layer steps aside.

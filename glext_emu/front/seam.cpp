@@ -27,6 +27,12 @@ FREESTANDING void* seam_symbol(void* library, const char* name);
 FREESTANDING void seam_before_dlopen(const char* file, int flags);
 }
 
+namespace glext_emu {
+
+const char* const front_name = "seam";
+
+}  // namespace glext_emu
+
 namespace {
 
 FREESTANDING bool equals(const char* a, const char* b) {
@@ -83,6 +89,9 @@ void* seam_symbol(void* library, const char* name) {
     if (!is_glx && !equals(name, "__egl_Main")) return nullptr;
     void* const real = seam_next_dlsym(library, name);
     if (real == nullptr) return nullptr;
+    // Our own vendor library does what we would do.
+    if (seam_next_dlsym(library, "glext_emu_vendor") != nullptr) return real;
+    dlerror();  // the program did not ask for that name
     return is_glx ? glext_emu::wrap_glx_main(real) : glext_emu::wrap_egl_main(real);
 }
 

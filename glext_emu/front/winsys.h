@@ -40,9 +40,10 @@ void* take(Function& slot, void* driver_function, Function hook) {
 }
 
 // Hooks<driver>::find for a driver that is known at run time only: the window systems' functions have no room
-// for a user pointer, so each driver has functions of its own.
+// for a user pointer, so each driver has functions of its own. Static: GCC 12 takes the instances of two
+// files for one although their arguments have no linkage.
 template <template <int> class Hooks, int... kDrivers>
-void* find_in(int driver, const char* name, void* real, std::integer_sequence<int, kDrivers...>) {
+static void* find_in(int driver, const char* name, void* real, std::integer_sequence<int, kDrivers...>) {
     void* found = real;
     ((driver == kDrivers ? (found = Hooks<kDrivers>::find(name, real), 0) : 0), ...);
     return found;
