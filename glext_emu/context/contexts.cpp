@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "context/doctor.h"
+#include "context/list_pause.h"
 #include "context/refusals.h"
 #include "context/report.h"
 #include "context/settings.h"
@@ -165,7 +166,9 @@ void context_leaves_thread() {
     // A context that is destroyed with a query still active crashes llvmpipe, whose rasteriser writes into
     // it; the program knows of no query, so it is not the one to blame. The next draw opens another segment.
     Context* const ctx = current.context;
-    if (ctx != nullptr && !ctx->recording.is_open() && !ctx->inside_begin_end) close_segment(*ctx);
+    if (ctx == nullptr || ctx->slot.open_segment == 0 || ctx->inside_begin_end) return;
+    const ListPause pause(*ctx);
+    close_segment(*ctx);
 }
 
 void context_made_current(const char* platform, const RealGl& real, const void* handle) {
@@ -181,8 +184,14 @@ void context_made_current(const char* platform, const RealGl& real, const void* 
     }
     release(before);
     if (current.context == nullptr) return;
-    if (!current.context->is_initialised) initialise(*current.context);
-    current.context->update_hot();
+    Context& ctx = *current.context;
+    if (!ctx.is_initialised) initialise(ctx);
+    ctx.update_hot();
+    // A list that is compiled and executed does so with the test's segment open.
+    if (ctx.recording.is_open() && ctx.recording.mode == GL_COMPILE_AND_EXECUTE && ctx.slot.wants_segment()) {
+        const ListPause pause(ctx);
+        open_segment(ctx);
+    }
 }
 
 void context_copied(const void* from, const void* to, GLbitfield mask) {

@@ -15,14 +15,6 @@ namespace {
 constexpr int kDeepestNesting = 64;
 thread_local constinit int nesting __attribute__((tls_model("initial-exec"))) = 0;
 
-GLuint make_hidden_list(Context& ctx) {
-    const OwnCalls own(ctx);
-    const GLuint list = ctx.real->glGenLists(1);
-    const std::lock_guard lock(ctx.share_group->mutex);
-    ctx.share_group->hidden_lists.insert(list);
-    return list;
-}
-
 bool is_hidden(Context& ctx, GLuint list) {
     const std::lock_guard lock(ctx.share_group->mutex);
     return ctx.share_group->hidden_lists.contains(list);
@@ -56,28 +48,6 @@ void forget_recipe(Context& ctx, GLuint list) {
     }
     const std::lock_guard lock(ctx.share_group->mutex);
     ctx.share_group->recipes.erase(list);
-}
-
-// Remembers what the segment that ends here does to a Begin/End pair.
-void note_begin_end(ShareGroup& group, const ListRecording& recording) {
-    const std::lock_guard lock(group.mutex);
-    if (recording.begin_end == BeginEnd::kUnchanged) {
-        group.begin_ends.erase(recording.segment);
-    } else {
-        group.begin_ends[recording.segment] = recording.begin_end;
-    }
-}
-
-void close_step(Context& ctx) {
-    ctx.real->glEndList();
-    note_begin_end(*ctx.share_group, ctx.recording);
-    ctx.recording.begin_end = BeginEnd::kUnchanged;
-    ctx.recording.steps.push_back({ctx.recording.segment, {}});
-}
-
-void open_step(Context& ctx) {
-    ctx.recording.segment = make_hidden_list(ctx);
-    ctx.real->glNewList(ctx.recording.segment, ctx.recording.mode);
 }
 
 // Draws that are compiled and executed cannot open the test's segment, so it stands open before them.
@@ -207,18 +177,6 @@ void record(Context& ctx, ListOperation operation) {
     }
     ctx.recording.steps.push_back({0, std::move(operation)});
     open_step(ctx);
-}
-
-ListPause::ListPause(Context& ctx) : ctx_(ctx), is_pausing_(ctx.recording.is_open()) {
-    if (!is_pausing_) return;
-    close_step(ctx_);
-    ctx_.recording.is_suspended = true;
-}
-
-ListPause::~ListPause() {
-    if (!is_pausing_) return;
-    ctx_.recording.is_suspended = false;
-    open_step(ctx_);
 }
 
 void new_list(Context& ctx, GLuint list, GLenum mode) {

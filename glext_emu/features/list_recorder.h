@@ -3,6 +3,7 @@
 #pragma once
 
 #include "context/context.h"
+#include "context/list_pause.h"
 
 namespace glext_emu::features {
 
@@ -15,19 +16,5 @@ void remember_list_base(Context& ctx);
 
 // Compiles <operation> into the list; executes it too under COMPILE_AND_EXECUTE.
 void record(Context& ctx, ListOperation operation);
-
-// Inside this scope the driver executes the layer's own calls instead of compiling them. Does nothing where
-// no list is being compiled.
-class ListPause {
-  public:
-    explicit ListPause(Context& ctx);
-    ~ListPause();
-    ListPause(const ListPause&) = delete;
-    ListPause& operator=(const ListPause&) = delete;
-
-  private:
-    Context& ctx_;
-    bool is_pausing_;
-};
 
 }  // namespace glext_emu::features

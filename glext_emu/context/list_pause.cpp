@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "context/list_pause.h"
+
+#include "context/context.h"
+
+namespace glext_emu {
+
+GLuint make_hidden_list(Context& ctx) {
+    const OwnCalls own(ctx);
+    const GLuint list = ctx.real->glGenLists(1);
+    const std::lock_guard lock(ctx.share_group->mutex);
+    ctx.share_group->hidden_lists.insert(list);
+    return list;
+}
+
+void note_begin_end(ShareGroup& group, const ListRecording& recording) {
+    const std::lock_guard lock(group.mutex);
+    if (recording.begin_end == BeginEnd::kUnchanged) {
+        group.begin_ends.erase(recording.segment);
+    } else {
+        group.begin_ends[recording.segment] = recording.begin_end;
+    }
+}
+
+void close_step(Context& ctx) {
+    ctx.real->glEndList();
+    note_begin_end(*ctx.share_group, ctx.recording);
+    ctx.recording.begin_end = BeginEnd::kUnchanged;
+    ctx.recording.steps.push_back({ctx.recording.segment, {}});
+}
+
+void open_step(Context& ctx) {
+    ctx.recording.segment = make_hidden_list(ctx);
+    ctx.real->glNewList(ctx.recording.segment, ctx.recording.mode);
+}
+
+ListPause::ListPause(Context& ctx) : ctx_(ctx), is_pausing_(ctx.recording.is_open()) {
+    if (!is_pausing_) return;
+    close_step(ctx_);
+    ctx_.recording.is_suspended = true;
+}
+
+ListPause::~ListPause() {
+    if (!is_pausing_) return;
+    ctx_.recording.is_suspended = false;
+    open_step(ctx_);
+}
+
+}  // namespace glext_emu
