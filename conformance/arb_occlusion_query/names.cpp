@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Names of query objects: generated, used, deleted (ARB-01 to ARB-12, ARB-14).
+// Names of query objects: generated, used, deleted (ARB-01 to ARB-09, ARB-14).
+// What becomes of names while a query is active: names_in_use.cpp.
 #include <algorithm>
 #include <array>
 #include <set>
@@ -128,52 +129,6 @@ TEST_F(Names, delete_ignores_what_is_no_name_and_refuses_a_negative_count) {
     glDeleteQueries(-1, &name);
     EXPECT_TRUE(error_is(GL_INVALID_VALUE));
     EXPECT_TRUE(glIsQuery(name));
-}
-
-// ARB-10. The text of 2003 refuses both while a query is active, GL 3.0 and later allow them; decided:
-// GL 4.5, 4.2, for every version, as Mesa does.
-TEST_F(Names, names_are_generated_and_deleted_while_a_query_is_active) {
-    const Query active;
-    const Query other;
-    other.count([] {});
-    EXPECT_EQ(active.count([&] {
-        draw_samples(3);
-        GLuint name = 0;
-        glGenQueries(1, &name);
-        EXPECT_NE(name, 0u);
-        const GLuint unneeded = other.name();
-        glDeleteQueries(1, &unneeded);
-        EXPECT_TRUE(no_error());
-        EXPECT_FALSE(glIsQuery(unneeded));
-        draw_samples(4);
-    }),
-              7u);
-}
-
-// ARB-11. GL 4.5, 5.1.3: a name of an object in use becomes unused at once, the object goes when it is no
-// longer in use; for a query (4.2) that is when it is no longer active.
-TEST_F(Names, deleting_the_active_object_leaves_it_active_until_its_end) {
-    GLuint name = 0;
-    glGenQueries(1, &name);
-    glBeginQuery(GL_SAMPLES_PASSED, name);
-    glDeleteQueries(1, &name);
-    EXPECT_FALSE(glIsQuery(name));
-    glEndQuery(GL_SAMPLES_PASSED);
-    EXPECT_TRUE(no_error());
-}
-
-// ARB-12. Whatever became of the deleted object, the target is free after the end.
-TEST_F(Names, another_query_runs_after_the_active_object_was_deleted) {
-    GLuint name = 0;
-    glGenQueries(1, &name);
-    glBeginQuery(GL_SAMPLES_PASSED, name);
-    draw_samples(3);
-    glDeleteQueries(1, &name);
-    glEndQuery(GL_SAMPLES_PASSED);
-    glGetError();  // the previous test judges it
-    const Query next;
-    EXPECT_EQ(next.count([] { draw_samples(9); }), 9u);
-    EXPECT_FALSE(glIsQuery(name));
 }
 
 // ARB-14. ARB, issues: "Are query objects shareable between multiple contexts? RESOLVED: No."

@@ -1,97 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Names of queries and lists that the application picks by hand, as a compatibility context allows: an
-// implementation that keeps objects of its own for the test may not be met there (MIX-23, HP-67).
-#include "hp_occlusion_test/mix_test.h"
+// Names of lists that the application picks by hand, as GL allows: an implementation that keeps lists of its
+// own for the test may not be met there (HP-67). Names of queries: overlap/names_by_hand.cpp.
+#include "hp_occlusion_test/hp_test.h"
 
 namespace conformance {
 namespace {
 
 constexpr GLuint kFirstNames = 16;  // where an implementation's own objects would lie
-
-// A test with one draw enabled still, so that whatever the implementation keeps for it is in use.
-void start_test() {
-    glEnable(GL_OCCLUSION_TEST_HP);
-    draw_point(0, 0, 0.0f);
-}
-
-class QueryNamesByHand : public MixTest {};
-
-// MIX-23. ARB 6.1.13: IsQuery "returns TRUE if <id> is the name of a query object", and the application has
-// made none.
-TEST_F(QueryNamesByHand, no_name_is_a_query_before_the_application_begins_one) {
-    start_test();
-    for (GLuint name = 1; name < kFirstNames; ++name) {
-        GLuint value = kUntouched;
-        EXPECT_FALSE(glIsQuery(name)) << name;
-        EXPECT_TRUE(no_error());
-        glGetQueryObjectuiv(name, GL_QUERY_RESULT, &value);
-        EXPECT_TRUE(error_is(GL_INVALID_OPERATION)) << name;
-        EXPECT_EQ(value, kUntouched);
-    }
-    EXPECT_TRUE(read_result());
-}
-
-// MIX-23. ARB 4.1.6A: "If BeginQueryARB is called with an unused <id>, that name is marked as used and
-// associated with a new query object."
-TEST_F(QueryNamesByHand, any_name_can_be_begun_under_the_test) {
-    start_test();
-    for (GLuint name = 1; name < kFirstNames; ++name) {
-        draw_point(0, 0, 0.0f);
-        glBeginQuery(GL_SAMPLES_PASSED, name);
-        EXPECT_TRUE(no_error()) << name;
-        draw_rect({0, 0, static_cast<int>(name), 1}, 0.0f);
-        glEndQuery(GL_SAMPLES_PASSED);
-    }
-    EXPECT_TRUE(read_result());
-    for (GLuint name = 1; name < kFirstNames; ++name) {
-        GLuint value = kUntouched;
-        glGetQueryObjectuiv(name, GL_QUERY_RESULT, &value);
-        EXPECT_EQ(value, name);
-        EXPECT_TRUE(glIsQuery(name));
-    }
-    EXPECT_TRUE(no_error());
-}
-
-// MIX-23. ARB 4.1.6A: "Unused names in <ids> are silently ignored."
-TEST_F(QueryNamesByHand, deleting_unused_names_does_not_end_the_test) {
-    start_test();
-    for (GLuint name = 1; name < kFirstNames; ++name) glDeleteQueries(1, &name);
-    EXPECT_TRUE(no_error());
-    EXPECT_TRUE(read_result());
-    draw_point(0, 0, 0.0f);
-    glDisable(GL_OCCLUSION_TEST_HP);
-    EXPECT_TRUE(read_result());
-    EXPECT_TRUE(no_error());
-}
-
-// MIX-23. ARB, Errors: EndQuery "when a query of the given <target> is not active".
-TEST_F(QueryNamesByHand, the_test_is_no_query_that_could_be_ended) {
-    std::vector<GLenum> targets = {GL_SAMPLES_PASSED};
-    if (!lacks(33, "GL_ARB_occlusion_query2")) targets.push_back(GL_ANY_SAMPLES_PASSED);
-    if (!lacks(43, "GL_ARB_ES3_compatibility")) targets.push_back(GL_ANY_SAMPLES_PASSED_CONSERVATIVE);
-    start_test();
-    for (const GLenum target : targets) {
-        EXPECT_EQ(current_query(target), 0);
-        glEndQuery(target);
-        EXPECT_TRUE(error_is(GL_INVALID_OPERATION)) << target;
-    }
-    glDisable(GL_OCCLUSION_TEST_HP);
-    EXPECT_TRUE(read_result()) << "an End of the application's ended the test";
-}
-
-// MIX-23, HP-75. GL 4.5, 2.3.1: the flag keeps the first error, whoever in the implementation found it.
-TEST_F(QueryNamesByHand, errors_of_queries_under_the_test_keep_their_order) {
-    start_test();
-    glEndQuery(GL_SAMPLES_PASSED);  // INVALID_OPERATION: the application has none active
-    glLineWidth(-1.0f);             // INVALID_VALUE
-    EXPECT_TRUE(error_is(GL_INVALID_OPERATION));
-    EXPECT_TRUE(no_error());
-
-    glLineWidth(-1.0f);
-    glEndQuery(GL_SAMPLES_PASSED);
-    EXPECT_TRUE(error_is(GL_INVALID_VALUE));
-    EXPECT_TRUE(no_error());
-}
 
 class ListNamesByHand : public HpTest {
   protected:

@@ -73,6 +73,10 @@ TEST_F(Result, reading_other_state_does_not_clear_the_result) {
     glIsEnabled(GL_OCCLUSION_TEST_HP);
     glIsEnabled(GL_DEPTH_TEST);
     glGetString(GL_EXTENSIONS);
+    if (!lacks("GL_NV_occlusion_query")) {
+        get_integer(GL_CURRENT_OCCLUSION_QUERY_ID_NV);
+        get_integer(GL_PIXEL_COUNTER_BITS_NV);
+    }
     EXPECT_TRUE(read_result());
 }
 
