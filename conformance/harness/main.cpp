@@ -33,7 +33,15 @@ bool advertises(const std::string& extension) {
     return found;
 }
 
+// GoogleTest's JSON tells that a test was skipped, but not why.
+class SkipReasons final : public ::testing::EmptyTestEventListener {
+    void OnTestPartResult(const ::testing::TestPartResult& part) override {
+        if (part.skipped()) ::testing::Test::RecordProperty("skipped", part.message());
+    }
+};
+
 int run_tests() {
+    ::testing::UnitTest::GetInstance()->listeners().Append(new SkipReasons);
     if (RUN_ALL_TESTS() != 0) return 1;
     const auto& tests = *::testing::UnitTest::GetInstance();
     return tests.successful_test_count() == 0 ? kExitSkipped : 0;
