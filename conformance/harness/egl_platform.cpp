@@ -39,6 +39,11 @@ class EglPlatform final : public Platform {
                                                             : EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT);
             }
         }
+        if (wish.debug) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
+        if (wish.robust) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE});
+        if (wish.no_error) {
+            attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_NO_ERROR_KHR, EGL_TRUE});
+        }
         attributes.push_back(EGL_NONE);
         return to_handle(eglCreateContext(display_, EGL_NO_CONFIG_KHR, reinterpret_cast<EGLContext>(share),
                                           attributes.data()));

@@ -28,7 +28,9 @@ class GlxPlatform final : public Platform {
         if (wish.api == Api::kEs2) return 0;  // judged on EGL
         GLXFBConfig config = choose({});
         auto* shared = reinterpret_cast<GLXContext>(share);
-        if (wish.major == 0) {
+        const int flags = (wish.debug ? GLX_CONTEXT_DEBUG_BIT_ARB : 0) |
+                          (wish.robust ? GLX_CONTEXT_ROBUST_ACCESS_BIT_ARB : 0);
+        if (wish.major == 0 && flags == 0 && !wish.no_error) {
             return reinterpret_cast<Handle>(
                 glXCreateNewContext(display_, config, GLX_RGBA_TYPE, shared, True));
         }
@@ -36,8 +38,12 @@ class GlxPlatform final : public Platform {
             get_proc_address("glXCreateContextAttribsARB"));
         const int profile = wish.api == Api::kCore ? GLX_CONTEXT_CORE_PROFILE_BIT_ARB
                                                    : GLX_CONTEXT_COMPATIBILITY_PROFILE_BIT_ARB;
-        std::vector<int> attributes = {GLX_CONTEXT_MAJOR_VERSION_ARB, wish.major,
-                                       GLX_CONTEXT_MINOR_VERSION_ARB, wish.minor};
+        std::vector<int> attributes = {GLX_CONTEXT_FLAGS_ARB, flags};
+        if (wish.major > 0) {
+            attributes.insert(attributes.end(), {GLX_CONTEXT_MAJOR_VERSION_ARB, wish.major,
+                                                 GLX_CONTEXT_MINOR_VERSION_ARB, wish.minor});
+        }
+        if (wish.no_error) attributes.insert(attributes.end(), {GLX_CONTEXT_OPENGL_NO_ERROR_ARB, True});
         if (wish.major * 10 + wish.minor >= 32) {
             attributes.push_back(GLX_CONTEXT_PROFILE_MASK_ARB);
             attributes.push_back(profile);

@@ -43,7 +43,7 @@ class OsmesaPlatform final : public Platform {
     explicit OsmesaPlatform(OsContext (*create)(const int*, OsContext)) : create_(create) {}
 
     Handle create_context(const ContextWish& wish, Handle share) override {
-        if (wish.api == Api::kEs2) return 0;
+        if (wish.api == Api::kEs2 || wish.debug || wish.robust || wish.no_error) return 0;
         std::vector<int> attributes = {
             kFormat,      GL_RGBA, kDepthBits, 24,
             kStencilBits, 8,       kProfile,   wish.api == Api::kCore ? kCoreProfile : kCompatibilityProfile};

@@ -22,6 +22,10 @@ struct ContextWish {
     Api api = Api::kCompatibility;
     int major = 0;  // 0: whatever the driver gives; of ES at least 2
     int minor = 0;
+    // With a flag the context is one of GL 3.2 or later; a platform that does not have it refuses.
+    bool debug = false;
+    bool robust = false;    // ARB_robustness: asks for GetGraphicsResetStatus to tell
+    bool no_error = false;  // KHR_no_error
 };
 
 struct SurfaceWish {
