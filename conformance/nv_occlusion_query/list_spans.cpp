@@ -125,6 +125,63 @@ TEST_F(NvListSpans, a_list_goes_on_after_a_command_in_error) {
     EXPECT_EQ(query.result(), 7u);
 }
 
+// NV-52, NV-23. GL 4.5 compatibility, 10.7.5: CallList is legal between Begin and End, the query's commands
+// are not; the primitive is the worse for it in nothing.
+TEST_F(NvListSpans, a_compiled_query_called_inside_a_primitive_is_in_error) {
+    const NvQuery query;
+    const GLuint list = compile([&] {
+        query.begin();
+        glVertex3f(0.5f, 0.5f, 0.0f);
+        glEndOcclusionQueryNV();
+    });
+    glBegin(GL_POINTS);
+    glCallList(list);
+    glEnd();
+    EXPECT_TRUE(error_is(GL_INVALID_OPERATION));
+    EXPECT_TRUE(no_error());
+    EXPECT_EQ(active_nv(), 0u);
+    EXPECT_FALSE(glIsOcclusionQueryNV(query.name()));
+    EXPECT_EQ(drawn_pixels(), 1);
+}
+
+// NV-52, NV-23. The same of a primitive that stands in the list itself.
+TEST_F(NvListSpans, a_query_compiled_inside_a_primitive_is_in_error_at_the_call) {
+    const NvQuery query;
+    const GLuint list = compile([&] {
+        glBegin(GL_POINTS);
+        query.begin();
+        glVertex3f(0.5f, 0.5f, 0.0f);
+        glEndOcclusionQueryNV();
+        glEnd();
+    });
+    glCallList(list);
+    EXPECT_TRUE(error_is(GL_INVALID_OPERATION));
+    EXPECT_TRUE(no_error());
+    EXPECT_EQ(active_nv(), 0u);
+    EXPECT_EQ(drawn_pixels(), 1);
+}
+
+// NV-51. Display lists belong to the share group, queries do not: a list begins the query of the context that
+// calls it.
+TEST_F(NvListSpans, a_list_begins_the_query_of_the_context_that_calls_it) {
+    const GLuint list = compile([] {
+        glBeginOcclusionQueryNV(kUnknownName);
+        draw_samples(50);
+        glEndOcclusionQueryNV();
+    });
+    glFinish();
+    const Context other({}, &context());
+    ASSERT_TRUE(other.make_current(surface()));
+    use_pixel_coordinates();
+    glCallList(list);
+    EXPECT_TRUE(no_error());
+    EXPECT_EQ(get_nv(kUnknownName, GL_PIXEL_COUNT_NV), 50u);
+    come_back();
+    EXPECT_FALSE(glIsOcclusionQueryNV(kUnknownName));
+    glCallList(list);
+    EXPECT_EQ(get_nv(kUnknownName, GL_PIXEL_COUNT_NV), 50u);
+}
+
 // NV-53. GL 4.5 compatibility, 21.4: COMPILE_AND_EXECUTE executes each command as it is compiled.
 TEST_F(NvListSpans, compile_and_execute_does_both) {
     const NvQuery query;

@@ -77,54 +77,6 @@ TEST_P(OverlapState, queries_in_flight_are_right_with_tests_among_them) {
     EXPECT_TRUE(no_error());
 }
 
-// MIX-23, of a query in a display list: ARB 5.4 and NV 5.4 compile Begin and End; HP's Enable is among them.
-TEST_P(OverlapState, a_compiled_query_and_the_test_do_not_disturb_each_other) {
-    const AnyQuery query(way());
-    const GLuint list = glGenLists(1);
-    glNewList(list, GL_COMPILE);
-    query.begin();
-    draw_columns(8);
-    glEnable(GL_OCCLUSION_TEST_HP);
-    draw_rect({8, 0, 8, 8}, kMiddle);
-    query.end();
-    draw_rect({16, 0, 8, 8}, kMiddle);
-    glEndList();
-    for (int call = 0; call < 3; ++call) {
-        draw_point(0, 0, 0.0f);
-        glCallList(list);
-        EXPECT_EQ(active_name(way()), 0);
-        EXPECT_EQ(query.result(), way().of(128)) << "call " << call;
-        EXPECT_TRUE(test_enabled());
-        EXPECT_TRUE(read_result());
-        EXPECT_FALSE(read_result());
-        draw_point(0, 0, 0.0f);
-        EXPECT_TRUE(read_result()) << "the list ended the test";
-    }
-    EXPECT_EQ(query.count([] { draw_point(0, 0, 0.0f); }), way().of(1));
-    EXPECT_TRUE(no_error());
-}
-
-// MIX-23. A list enables and disables the test inside the program's query.
-TEST_P(OverlapState, a_compiled_test_inside_a_query_does_not_alter_the_count) {
-    const AnyQuery query(way());
-    const GLuint list = glGenLists(1);
-    glNewList(list, GL_COMPILE);
-    draw_columns(1);
-    glEnable(GL_OCCLUSION_TEST_HP);
-    draw_columns(2);
-    glDisable(GL_OCCLUSION_TEST_HP);
-    draw_columns(4);
-    glEndList();
-    EXPECT_EQ(query.count([list] {
-        glCallList(list);
-        draw_columns(8);
-        glCallList(list);
-    }),
-              way().of(8 * (7 + 8 + 7)));
-    EXPECT_TRUE(read_result());
-    EXPECT_TRUE(no_error());
-}
-
 INSTANTIATE_TEST_SUITE_P(Of, OverlapState, ::testing::ValuesIn(kWays), way_name);
 
 class OtherQueries : public HpTest, public ::testing::WithParamInterface<GLenum> {
