@@ -24,7 +24,7 @@ void Context::update_hot() {
     hot = always_hot;
     if (pending_error != GL_NO_ERROR) hot |= kHotError;
     if (slot.wants_segment()) hot |= kHotDraw;
-    if (follows_text && slot.counts_samples()) hot |= kHotDraw;
+    if (follows_text && (slot.app_query != 0 || slot.open_segment != 0)) hot |= kHotDraw;
     if (recording.name != 0) hot |= kHotGet;                     // LIST_INDEX
     if (recording.name != 0 && follows_text) hot |= kHotEnable;  // MULTISAMPLE
     if (current.context == this) current.hot = hot;

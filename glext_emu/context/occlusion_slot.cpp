@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "context/context.h"
+#include "context/list_pause.h"
 
 namespace glext_emu {
 namespace {
@@ -128,6 +129,24 @@ void reset_flag(Context& ctx) {
     slot.flag = false;
 }
 
+// The driver's count so far goes to the record, and the driver stops counting.
+CountPause::CountPause(Context& ctx) : ctx_(ctx) {
+    OcclusionSlot& slot = ctx.slot;
+    close_segment(ctx);
+    if (slot.app_query == 0) return;
+    const OwnCalls own(ctx);
+    QueryRecord& record = slot.records[slot.app_query];
+    ctx.real->glEndQuery(real_target(ctx, slot.app_target));
+    record.earlier += record.samples_per_count * driver_count(ctx, slot.app_query);
+    slot.flag = slot.flag || (ctx.emulates_test && record.earlier != 0);
+}
+
+CountPause::~CountPause() {
+    if (ctx_.slot.app_query == 0) return;
+    const OwnCalls own(ctx_);
+    ctx_.real->glBeginQuery(real_target(ctx_, ctx_.slot.app_target), ctx_.slot.app_query);
+}
+
 void set_samples_per_count(Context& ctx, GLuint samples) {
     OcclusionSlot& slot = ctx.slot;
     QueryRecord& record = slot.records[slot.app_query];
@@ -135,11 +154,8 @@ void set_samples_per_count(Context& ctx, GLuint samples) {
     record.has_drawn = true;
     if (samples == record.samples_per_count) return;
     if (counts_already) {
-        const OwnCalls own(ctx);
-        ctx.real->glEndQuery(slot.app_target);
-        record.earlier += record.samples_per_count * driver_count(ctx, slot.app_query);
-        ctx.real->glBeginQuery(slot.app_target, slot.app_query);
-        slot.flag = slot.flag || record.earlier != 0;
+        const ListPause pause(ctx);
+        const CountPause cut(ctx);
     }
     record.samples_per_count = samples;
 }

@@ -84,6 +84,17 @@ bool take_flag(Context& ctx);
 void reset_flag(Context& ctx);
 // The program's query goes on with another number of samples for each of the driver's counts.
 void set_samples_per_count(Context& ctx, GLuint samples);
+// Inside this scope nothing is counted; what was counted before is kept.
+class CountPause {
+  public:
+    explicit CountPause(Context& ctx);
+    ~CountPause();
+    CountPause(const CountPause&) = delete;
+    CountPause& operator=(const CountPause&) = delete;
+
+  private:
+    Context& ctx_;
+};
 // True for the name of an object that the program may use.
 bool is_object(Context& ctx, GLuint name);
 // Deletes what is doomed and no longer in use.

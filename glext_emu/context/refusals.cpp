@@ -30,4 +30,13 @@ bool refuses_conditional_render(const Context& ctx) {
     return is_absent(ctx, "GL_NV_conditional_render", {3, 0});
 }
 
+bool refuses_conditional_mode(const Context& ctx, GLenum mode) {
+    const bool is_inverted = mode >= GL_QUERY_WAIT_INVERTED && mode <= GL_QUERY_BY_REGION_NO_WAIT_INVERTED;
+    return is_inverted && is_absent(ctx, "GL_ARB_conditional_render_inverted", {4, 5});
+}
+
+bool refuses_query_buffers(const Context& ctx) {
+    return is_absent(ctx, "GL_ARB_query_buffer_object", {4, 4});
+}
+
 }  // namespace glext_emu

@@ -13,5 +13,9 @@ namespace glext_emu {
 bool refuses_target(const Context& ctx, GLenum target);
 // True where it has no conditional rendering.
 bool refuses_conditional_render(const Context& ctx);
+// True where it does not know <mode> of BeginConditionalRender.
+bool refuses_conditional_mode(const Context& ctx, GLenum mode);
+// True where no result goes into a buffer.
+bool refuses_query_buffers(const Context& ctx);
 
 }  // namespace glext_emu

@@ -60,6 +60,7 @@ void draw_collected_vertices(Context& ctx) {
 void begin_conditional_render(Context& ctx, GLuint id, GLenum mode) {
     if (ctx.inside_begin_end) return ctx.real->glBeginConditionalRender(id, mode);
     if (refuses_conditional_render(ctx)) return ctx.raise(GL_INVALID_OPERATION);
+    if (refuses_conditional_mode(ctx, mode)) return ctx.raise(GL_INVALID_ENUM);
     if (ctx.recording.is_open() && records_operations(ctx)) {
         return record(ctx, {[](Context& c, const ListOperation& op) {
                                 begin_conditional_render(c, op.first, op.second);

@@ -27,6 +27,13 @@ bool is_primitive(GLenum mode) {
     return mode <= GL_PATCHES;
 }
 
+// GL 4.5 compatibility, chapter 18: stencil indices are written as they are, no fragment is made of them;
+// Mesa draws and counts them.
+bool counts_too_much(const Context& ctx, GLenum pixels) {
+    const bool is_stencil = pixels == GL_STENCIL_INDEX || pixels == GL_STENCIL;
+    return is_stencil && ctx.follows_text && !ctx.recording.is_open() && !ctx.inside_begin_end;
+}
+
 }  // namespace
 
 void before_draw(Context& ctx, Triangles triangles) {
@@ -34,13 +41,26 @@ void before_draw(Context& ctx, Triangles triangles) {
     if (ctx.recording.only_compiles() || ctx.inside_begin_end) return;
     count_draw(ctx, triangles);
     if (ctx.follows_text && ctx.slot.counts_samples()) {
-        const GLuint samples = samples_per_count(ctx);
-        const ListPause pause(ctx);
-        set_samples_per_count(ctx, samples);
+        set_samples_per_count(ctx, samples_per_count(ctx));
     }
     // While a list is compiled and executed, the segment stands open already: opening it now would compile
     // it.
     if (ctx.slot.wants_segment() && !ctx.recording.is_open()) open_segment(ctx);
+}
+
+void draw_pixels(Context& ctx, GLsizei width, GLsizei height, GLenum format, GLenum type,
+                 const void* pixels) {
+    before_draw(ctx, no_triangles());
+    std::optional<CountPause> pause;
+    if (counts_too_much(ctx, format)) pause.emplace(ctx);
+    ctx.real->glDrawPixels(width, height, format, type, pixels);
+}
+
+void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
+    before_draw(ctx, no_triangles());
+    std::optional<CountPause> pause;
+    if (counts_too_much(ctx, type)) pause.emplace(ctx);
+    ctx.real->glCopyPixels(x, y, width, height, type);
 }
 
 void begin(Context& ctx, GLenum mode) {

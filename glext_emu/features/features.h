@@ -10,6 +10,8 @@ namespace glext_emu::features {
 
 // draw_scope.cpp: a draw is about to be executed.
 void before_draw(Context& ctx, Triangles triangles);
+void draw_pixels(Context& ctx, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
+void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type);
 void begin(Context& ctx, GLenum mode);
 void end(Context& ctx);
 void finish(Context& ctx);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Results of query objects: seen when the clock says so, never before the driver has them.
+#include "context/refusals.h"
 #include "context/settings.h"
 #include "features/features.h"
 #include "features/query_buffers.h"
@@ -20,7 +21,7 @@ GLuint bound_query_buffer(Context& ctx) {
 // True where the program sees what the driver has counted.
 bool is_the_drivers(const QueryRecord& record) {
     const bool is_counter = record.target == GL_SAMPLES_PASSED;
-    return !is_counter || (record.is_as_counted() && !settings().device.counter_bits);
+    return record.is_as_counted() && !(is_counter && settings().device.counter_bits);
 }
 
 // What the counter of the machine shows.
@@ -28,7 +29,7 @@ template <class T>
 T seen_count(Context& ctx, const QueryRecord& record, GLuint id) {
     std::uint64_t count = record.earlier + record.samples_per_count * driver_count(ctx, id);
     // ARB_occlusion_query, issues: a counter that overflows stays at 2^n-1.
-    const int bits = settings().device.counter_bits.value_or(64);
+    const int bits = record.target == GL_SAMPLES_PASSED ? settings().device.counter_bits.value_or(64) : 1;
     if (bits < 64) count = std::min(count, (std::uint64_t{1} << bits) - 1);
     // GL 4.6, 4.2.3: what does not fit is returned as the nearest value that does.
     return static_cast<T>(std::min<std::uint64_t>(count, std::numeric_limits<T>::max()));
@@ -86,6 +87,7 @@ void write_to_buffer(Context& ctx, GLuint id, QueryRecord& record, GLenum pname,
 template <class T>
 void get_query_object(Context& ctx, GLuint id, GLenum pname, T* params, void (*real)(GLuint, GLenum, T*)) {
     if (ctx.inside_begin_end) return real(id, pname, params);
+    if (pname == GL_QUERY_RESULT_NO_WAIT && refuses_query_buffers(ctx)) return ctx.raise(GL_INVALID_ENUM);
     // Name zero raises what a name of nobody's raises.
     if (ctx.slot.is_hidden(id) || ctx.slot.is_doomed(id)) return real(0, pname, params);
     const auto found = ctx.slot.records.find(id);

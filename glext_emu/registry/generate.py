@@ -97,7 +97,7 @@ def read_hooks(path, commands):
         if section == "real":
             real.append(name)
             continue
-        if (section == "draw") != (triangles is not None):
+        if (section == "draw") != (triangles is not None) and not (section == "draw" and function):
             fail(f"{path}:{number}: in [draw], and only there, a command says how many triangles it draws")
         hooks[name] = (section, triangles or function or snake_case(name))
     for command in commands.values():
@@ -147,7 +147,7 @@ def wrapper(command, section, how):
     forward = f"return {call};"
     if section in SUPPLIED:
         forward = f"return current.real->{command.name} == nullptr ? {command.returns}() : {call};"
-    if section == "draw":
+    if section == "draw" and "(" in how:
         body = f"    features::before_draw(ctx, features::{how});\n    return {call};"
     else:
         arguments = ", ".join(["ctx"] + [name for _, name in command.params])
