@@ -58,7 +58,8 @@ class Run:
 class Program:
     """A started program. Use as a context manager: it never outlives the block."""
 
-    def __init__(self, argv, layer=True, device=None, clock=None, environment=None):
+    def __init__(self, argv, layer=True, device=None, clock=None, environment=None, preload=()):
+        """`preload` names further libraries for LD_PRELOAD; they stand above the layer."""
         self.folder = tempfile.TemporaryDirectory(prefix="glext_emu_program_")
         self.report_path = pathlib.Path(self.folder.name, "report.json")
         child = dict(os.environ, **(environment or {}))
@@ -67,8 +68,9 @@ class Program:
         settings = {"device": device, "clock": clock, "report": self.report_path}
         given = [f"{key}={value}" for key, value in settings.items() if value is not None]
         child["GLEXT_EMU"] = ",".join(given)
-        if layer:
-            child["LD_PRELOAD"] = os.environ["GLEXT_EMU_LAYER"]
+        libraries = [*preload, *([os.environ["GLEXT_EMU_LAYER"]] if layer else [])]
+        if libraries:
+            child["LD_PRELOAD"] = ":".join(libraries)
         self.output = tempfile.TemporaryFile("w+", dir=self.folder.name)
         self.errors = tempfile.TemporaryFile("w+", dir=self.folder.name)
         self.started = time.monotonic()
@@ -104,9 +106,9 @@ class Program:
         return Run(self.output.read(), self.errors.read(), self.process.returncode, seconds, self.report_now())
 
 
-def run(argv, layer=True, device=None, clock=None, environment=None, timeout_s=60):
+def run(argv, layer=True, device=None, clock=None, environment=None, preload=(), timeout_s=60):
     """Run a program that ends by itself."""
-    with Program(argv, layer, device, clock, environment) as program:
+    with Program(argv, layer, device, clock, environment, preload) as program:
         return program.finish(timeout_s)
 
 

@@ -7,6 +7,7 @@ one (on the same display) neither steal nor get it.
 import time
 
 from Xlib import X, XK, display, error
+from Xlib.ext import xtest
 from Xlib.protocol import event
 
 POLL_INTERVAL_S = 0.05
@@ -73,3 +74,20 @@ class Window:
                      child=X.NONE, root_x=0, root_y=0, event_x=1, event_y=1, state=0, detail=code),
                 event_mask=mask)
         self.display.sync()  # the server has it before this connection ends
+
+    def close(self):
+        """Ask the program to end, as a window manager's close button does."""
+        atoms = [self.display.intern_atom(name) for name in ("WM_PROTOCOLS", "WM_DELETE_WINDOW")]
+        self.window.send_event(event.ClientMessage(window=self.window, client_type=atoms[0],
+                                                   data=(32, [atoms[1], X.CurrentTime, 0, 0, 0])))
+        self.display.sync()
+
+    def point(self, x, y, button=None, wait_s=0.2):
+        """Move the display's one pointer and click: for programs that have the display for themselves."""
+        xtest.fake_input(self.display, X.MotionNotify, x=x, y=y)
+        self.display.sync()
+        time.sleep(wait_s)
+        for kind in (X.ButtonPress, X.ButtonRelease) if button else ():
+            xtest.fake_input(self.display, kind, button)
+            self.display.sync()
+            time.sleep(wait_s)
