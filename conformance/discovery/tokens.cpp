@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The enumerants, as the texts print them: one table for all extensions.
+#include <gtest/gtest.h>
+
+#include "harness/gl.h"
+
+namespace conformance {
+namespace {
+
+struct Token {
+    const char* name;
+    GLenum header;
+    GLenum text;
+};
+
+#define TOKEN(name, value) \
+    Token {                \
+#name, name, value \
+    }
+constexpr Token kTokens[] = {
+    TOKEN(GL_OCCLUSION_TEST_HP, 0x8165),
+    TOKEN(GL_OCCLUSION_TEST_RESULT_HP, 0x8166),
+    TOKEN(GL_PIXEL_COUNTER_BITS_NV, 0x8864),
+    TOKEN(GL_QUERY_COUNTER_BITS, 0x8864),
+    TOKEN(GL_QUERY_COUNTER_BITS_ARB, 0x8864),
+    TOKEN(GL_CURRENT_OCCLUSION_QUERY_ID_NV, 0x8865),
+    TOKEN(GL_CURRENT_QUERY, 0x8865),
+    TOKEN(GL_CURRENT_QUERY_ARB, 0x8865),
+    TOKEN(GL_PIXEL_COUNT_NV, 0x8866),
+    TOKEN(GL_QUERY_RESULT, 0x8866),
+    TOKEN(GL_QUERY_RESULT_ARB, 0x8866),
+    TOKEN(GL_PIXEL_COUNT_AVAILABLE_NV, 0x8867),
+    TOKEN(GL_QUERY_RESULT_AVAILABLE, 0x8867),
+    TOKEN(GL_QUERY_RESULT_AVAILABLE_ARB, 0x8867),
+    TOKEN(GL_SAMPLES_PASSED, 0x8914),
+    TOKEN(GL_SAMPLES_PASSED_ARB, 0x8914),
+    TOKEN(GL_ANY_SAMPLES_PASSED, 0x8C2F),
+    TOKEN(GL_ANY_SAMPLES_PASSED_CONSERVATIVE, 0x8D6A),
+    TOKEN(GL_TIME_ELAPSED, 0x88BF),
+    TOKEN(GL_TIMESTAMP, 0x8E28),
+    TOKEN(GL_QUERY_TARGET, 0x82EA),
+    TOKEN(GL_QUERY_BUFFER, 0x9192),
+    TOKEN(GL_QUERY_BUFFER_BINDING, 0x9193),
+    TOKEN(GL_QUERY_RESULT_NO_WAIT, 0x9194),
+    TOKEN(GL_QUERY_BUFFER_BARRIER_BIT, 0x8000),
+    TOKEN(GL_QUERY_WAIT, 0x8E13),
+    TOKEN(GL_QUERY_NO_WAIT, 0x8E14),
+    TOKEN(GL_QUERY_BY_REGION_WAIT, 0x8E15),
+    TOKEN(GL_QUERY_BY_REGION_NO_WAIT, 0x8E16),
+    TOKEN(GL_QUERY_WAIT_NV, 0x8E13),
+    TOKEN(GL_QUERY_NO_WAIT_NV, 0x8E14),
+    TOKEN(GL_QUERY_BY_REGION_WAIT_NV, 0x8E15),
+    TOKEN(GL_QUERY_BY_REGION_NO_WAIT_NV, 0x8E16),
+    TOKEN(GL_QUERY_WAIT_INVERTED, 0x8E17),
+    TOKEN(GL_QUERY_NO_WAIT_INVERTED, 0x8E18),
+    TOKEN(GL_QUERY_BY_REGION_WAIT_INVERTED, 0x8E19),
+    TOKEN(GL_QUERY_BY_REGION_NO_WAIT_INVERTED, 0x8E1A),
+    TOKEN(GL_TRANSFORM_FEEDBACK_OVERFLOW, 0x82EC),
+    TOKEN(GL_TRANSFORM_FEEDBACK_STREAM_OVERFLOW, 0x82ED),
+    TOKEN(GL_INSTRUMENT_BUFFER_POINTER_SGIX, 0x8180),
+    TOKEN(GL_INSTRUMENT_MEASUREMENTS_SGIX, 0x8181),
+    TOKEN(GL_QUERY, 0x82E3),
+};
+#undef TOKEN
+
+// The headers that the programs are built with are those of the texts.
+TEST(Tokens, the_headers_have_the_values_of_the_texts) {
+    for (const Token& token : kTokens) EXPECT_EQ(token.header, token.text) << token.name;
+}
+
+}  // namespace
+}  // namespace conformance

@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: MIT
+# The same programs once more: on Mesa's second software driver, on its off-screen library, and with the layer beneath them
+# in other ways than the preload. A subset: what is particular to a driver, a platform or a front shows in any program.
+set(every_query ${CONFORMANCE_DEVICES}/every-query.toml)
+
+# Softpipe counts no generated primitives.
+set(deletes In/EsObjects.deleting_the_active_object_leaves_it_active_until_its_end)
+add_native_conformance(arb_occlusion_query REQUIRE GL_ARB_occlusion_query SOFTPIPE WITHOUT
+  BeginEnd.the_object_of_the_conditional_rendering_in_progress_is_refused
+  Counting.queries_of_different_targets_do_not_disturb_each_other
+  GetQuery.a_name_without_object_cannot_be_labelled
+  NamesInUse.deleting_the_active_object_leaves_it_active_until_its_end)
+add_native_conformance(ext_occlusion_query_boolean REQUIRE GL_EXT_occlusion_query_boolean SOFTPIPE
+                       WITHOUT ${deletes}/es2 ${deletes}/es3)
+
+# The vendor library: no preload, GLVND itself loads the layer.
+add_emulated_conformance(hp_occlusion_test REQUIRE GL_HP_occlusion_test DEVICE visualize-fx FRONT vendor)
+add_emulated_conformance(hp_occlusion_test REQUIRE GL_HP_occlusion_test DEVICE visualize-fx FRONT vendor PLATFORM glx)
+add_emulated_conformance(nv_occlusion_query REQUIRE GL_NV_occlusion_query DEVICE geforce3 FRONT vendor)
+add_emulated_conformance(arb_occlusion_query REQUIRE GL_ARB_occlusion_query DEVICE geforce-fx-5950 CLOCK calls=50
+                         FRONT vendor)
+add_emulated_conformance(ext_occlusion_query_boolean REQUIRE GL_EXT_occlusion_query_boolean DEVICE radeon-hd5770
+                         FRONT vendor)
+add_emulated_conformance(nv_conditional_render REQUIRE GL_NVX_conditional_render DEVICE ${every_query} FRONT vendor)
+add_emulated_conformance(overlap REQUIRE GL_NV_occlusion_query DEVICE ${every_query} FRONT vendor)
+add_emulated_conformance(contexts REQUIRE GL_NV_occlusion_query DEVICE ${every_query} FRONT vendor)
+add_emulated_conformance(transparency REQUIRE GL_HP_occlusion_test DEVICE ${every_query} FRONT vendor PLATFORM glx)
+
+# OSMesa. It exports fewer names than libGL: the two suites that read 64-bit results, and addresses from libGL, are left out.
+set(osmesas_suites BeginEnd.* Counting.* GetQuery.* Names.* NamesInUse.* Order.* QueryLists.*)
+add_native_conformance(arb_occlusion_query REQUIRE GL_ARB_occlusion_query PLATFORM osmesa ONLY ${osmesas_suites} WITHOUT
+  BeginEnd.the_object_of_the_conditional_rendering_in_progress_is_refused
+  GetQuery.a_name_without_object_cannot_be_labelled
+  NamesInUse.deleting_the_active_object_leaves_it_active_until_its_end)
