@@ -7,6 +7,7 @@
 # FRONT says how the layer gets under the program: seam (without it), vendor or export. The preload lines stand here
 # once: with a sanitizer its runtime has to come first.
 set(GLEXT_EMU_PRELOAD $<TARGET_FILE:glext_emu>)
+set(GLEXT_EMU_EXPORTS $<TARGET_FILE:glext_emu_exports>)
 set(sanitizer_runtime "")
 if(SANITIZE STREQUAL "address")
   execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libasan.so
@@ -21,6 +22,7 @@ set(GLEXT_EMU_VENDOR
     LD_LIBRARY_PATH=$<TARGET_FILE_DIR:glext_emu_vendor>)
 if(sanitizer_runtime)
   set(GLEXT_EMU_PRELOAD "${sanitizer_runtime}:${GLEXT_EMU_PRELOAD}")
+  set(GLEXT_EMU_EXPORTS "${sanitizer_runtime}:${GLEXT_EMU_EXPORTS}")
   list(APPEND GLEXT_EMU_VENDOR "LD_PRELOAD=${sanitizer_runtime}")
 endif()
 
@@ -39,8 +41,10 @@ function(add_layer_test)
     set(environment "LD_PRELOAD=${GLEXT_EMU_PRELOAD}")
   elseif(T_FRONT STREQUAL "vendor")
     set(environment ${GLEXT_EMU_VENDOR})
+  elseif(T_FRONT STREQUAL "export")
+    set(environment "LD_PRELOAD=${GLEXT_EMU_EXPORTS}")
   else()
-    message(FATAL_ERROR "${T_NAME}: FRONT is seam or vendor, not ${T_FRONT}")
+    message(FATAL_ERROR "${T_NAME}: FRONT is seam, vendor or export, not ${T_FRONT}")
   endif()
   list(APPEND environment "ASAN_OPTIONS=detect_leaks=0" ${T_ENVIRONMENT})
   if(settings)

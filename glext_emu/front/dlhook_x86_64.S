@@ -4,14 +4,14 @@
    that asks by dlvsym find us too. */
     .text
 
-    .symver seam_dlsym, dlsym@@GLIBC_2.34, remove
-    .symver seam_dlsym_old, dlsym@GLIBC_2.2.5, remove
-    .globl seam_dlsym
-    .globl seam_dlsym_old
-    .type seam_dlsym, @function
-    .type seam_dlsym_old, @function
-seam_dlsym:
-seam_dlsym_old:
+    .symver dlhook_dlsym, dlsym@@GLIBC_2.34, remove
+    .symver dlhook_dlsym_old, dlsym@GLIBC_2.2.5, remove
+    .globl dlhook_dlsym
+    .globl dlhook_dlsym_old
+    .type dlhook_dlsym, @function
+    .type dlhook_dlsym_old, @function
+dlhook_dlsym:
+dlhook_dlsym_old:
     .cfi_startproc
     endbr64
     push %rdi
@@ -20,7 +20,8 @@ seam_dlsym_old:
     .cfi_adjust_cfa_offset 8
     sub $8, %rsp
     .cfi_adjust_cfa_offset 8
-    call seam_symbol                /* our answer, or null */
+    mov 24(%rsp), %rdx              /* who calls */
+    call dlhook_symbol                /* our answer, or null */
     add $8, %rsp
     .cfi_adjust_cfa_offset -8
     pop %rsi
@@ -29,20 +30,20 @@ seam_dlsym_old:
     .cfi_adjust_cfa_offset -8
     test %rax, %rax
     jnz 1f
-    mov seam_next_dlsym(%rip), %rax
+    mov next_dlsym(%rip), %rax
     jmp *%rax
 1:  ret
     .cfi_endproc
-    .size seam_dlsym, . - seam_dlsym
+    .size dlhook_dlsym, . - dlhook_dlsym
 
-    .symver seam_dlopen, dlopen@@GLIBC_2.34, remove
-    .symver seam_dlopen_old, dlopen@GLIBC_2.2.5, remove
-    .globl seam_dlopen
-    .globl seam_dlopen_old
-    .type seam_dlopen, @function
-    .type seam_dlopen_old, @function
-seam_dlopen:
-seam_dlopen_old:
+    .symver dlhook_dlopen, dlopen@@GLIBC_2.34, remove
+    .symver dlhook_dlopen_old, dlopen@GLIBC_2.2.5, remove
+    .globl dlhook_dlopen
+    .globl dlhook_dlopen_old
+    .type dlhook_dlopen, @function
+    .type dlhook_dlopen_old, @function
+dlhook_dlopen:
+dlhook_dlopen_old:
     .cfi_startproc
     endbr64
     push %rdi
@@ -51,16 +52,16 @@ seam_dlopen_old:
     .cfi_adjust_cfa_offset 8
     sub $8, %rsp
     .cfi_adjust_cfa_offset 8
-    call seam_before_dlopen
+    call dlhook_before_dlopen
     add $8, %rsp
     .cfi_adjust_cfa_offset -8
     pop %rsi
     .cfi_adjust_cfa_offset -8
     pop %rdi
     .cfi_adjust_cfa_offset -8
-    mov seam_next_dlopen(%rip), %rax
+    mov next_dlopen(%rip), %rax
     jmp *%rax
     .cfi_endproc
-    .size seam_dlopen, . - seam_dlopen
+    .size dlhook_dlopen, . - dlhook_dlopen
 
     .section .note.GNU-stack, "", @progbits

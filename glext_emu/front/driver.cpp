@@ -13,7 +13,6 @@
 #include "context/doctor.h"
 #include "context/settings.h"
 #include "entry/entry.h"
-#include "real_gl/provider.h"
 
 namespace glext_emu {
 
@@ -22,8 +21,8 @@ bool gl_was_loaded_ahead = false;
 namespace {
 
 struct Driver {
-    void* real_main = nullptr;
-    bool is_glx = false;
+    void* key = nullptr;
+    Platform platform = Platform::kGlx;
     GetProcAddress get_proc_address = nullptr;  // the driver's own
     RealGl real{};
 };
@@ -31,41 +30,21 @@ struct Driver {
 constinit std::array<Driver, kMostDrivers> drivers{};
 constinit std::mutex mutex;
 
-// What GLVND takes for the driver's function <name>. A wrapper stands in for what the driver has, or what a
-// device supplies.
-void* get_proc_address(int index, const char* name) {
-    const Driver& driver = drivers[static_cast<std::size_t>(index)];
-    void* const real = driver.get_proc_address(name);
-    if (name[0] == 'g' && name[1] == 'l' && name[2] != 'X') {
-        const Hook* const hook = find_hook(name);
-        if (hook == nullptr) return real;
-        const bool is_there = real != nullptr || (hook->is_supplied && !settings().device.emulate.empty());
-        return is_there ? hook->wrapper : nullptr;
-    }
-    if (real == nullptr) return nullptr;
-    return driver.is_glx ? glx_hook(index, name, real) : egl_hook(index, name, real);
-}
-
-void take_driver(int index, GetProcAddress real) {
-    Driver& driver = drivers[static_cast<std::size_t>(index)];
-    driver.get_proc_address = real;
-    load_real_gl(driver.real, real);
-    default_real = driver.real;
-    doctor_note((std::string(driver.is_glx ? "hooked GLX" : "hooked EGL") + ", " + front_name).c_str());
-    if (gl_was_loaded_ahead) doctor_note("GL was loaded ahead of a library that asked for RTLD_DEEPBIND");
+Driver& driver_at(int index) {
+    return drivers[static_cast<std::size_t>(index)];
 }
 
 // The imports have callbacks without a user pointer, so each driver has functions of its own.
 template <int kIndex>
 struct Trampolines {
     static void* glx_get_proc_address(const GLubyte* name) {
-        return get_proc_address(kIndex, reinterpret_cast<const char*>(name));
+        return layered_function(kIndex, reinterpret_cast<const char*>(name));
     }
-    static void* egl_get_proc_address(const char* name) { return get_proc_address(kIndex, name); }
+    static void* egl_get_proc_address(const char* name) { return layered_function(kIndex, name); }
 
     static Bool glx_main(std::uint32_t version, const __GLXapiExports* exports, __GLXvendorInfo* vendor,
                          __GLXapiImports* imports) {
-        const auto real = reinterpret_cast<__PFNGLXMAINPROC>(drivers[kIndex].real_main);
+        const auto real = reinterpret_cast<__PFNGLXMAINPROC>(drivers[kIndex].key);
         if (!real(version, exports, vendor, imports)) return False;
         take_driver(kIndex, reinterpret_cast<GetProcAddress>(imports->getProcAddress));
         imports->getProcAddress = glx_get_proc_address;
@@ -77,7 +56,7 @@ struct Trampolines {
 
     static EGLBoolean egl_main(std::uint32_t version, const __EGLapiExports* exports, __EGLvendorInfo* vendor,
                                __EGLapiImports* imports) {
-        const auto real = reinterpret_cast<EglMain>(drivers[kIndex].real_main);
+        const auto real = reinterpret_cast<EglMain>(drivers[kIndex].key);
         if (!real(version, exports, vendor, imports)) return EGL_FALSE;
         take_driver(kIndex, imports->getProcAddress);
         imports->getProcAddress = egl_get_proc_address;
@@ -98,50 +77,95 @@ constexpr auto make_egl_mains(std::integer_sequence<int, kIndices...>) {
 constexpr auto kGlxMains = make_glx_mains(std::make_integer_sequence<int, kMostDrivers>{});
 constexpr auto kEglMains = make_egl_mains(std::make_integer_sequence<int, kMostDrivers>{});
 
-// False once the library that <main> was found in has been closed.
-bool is_loaded(void* main) {
+// False once the library that <key> was found in has been closed.
+bool is_loaded(void* key) {
     Dl_info info;
-    return dladdr(main, &info) != 0 && info.dli_saddr == main;
-}
-
-// The place of a driver that is known already, or one that is free, or one whose driver is gone; -1 if there
-// is none.
-int place_for(void* real_main, bool is_glx) {
-    const std::lock_guard lock(mutex);
-    const auto is_it = [&](const Driver& d) { return d.real_main == real_main && d.is_glx == is_glx; };
-    auto place = std::ranges::find_if(drivers, is_it);
-    if (place == drivers.end()) {
-        place = std::ranges::find_if(
-            drivers, [](const Driver& d) { return d.real_main == nullptr || !is_loaded(d.real_main); });
-    }
-    if (place == drivers.end()) {
-        doctor_note("a driver was left alone: too many are loaded at once");
-        return -1;
-    }
-    place->real_main = real_main;
-    place->is_glx = is_glx;
-    return static_cast<int>(place - drivers.begin());
+    return dladdr(key, &info) != 0 && info.dli_saddr == key;
 }
 
 }  // namespace
 
+int driver_place(void* key, Platform platform) {
+    const std::lock_guard lock(mutex);
+    const auto is_it = [&](const Driver& d) { return d.key == key && d.platform == platform; };
+    auto place = std::ranges::find_if(drivers, is_it);
+    if (place == drivers.end()) {
+        place = std::ranges::find_if(drivers,
+                                     [](const Driver& d) { return d.key == nullptr || !is_loaded(d.key); });
+        if (place == drivers.end()) {
+            doctor_note("a driver was left alone: too many are loaded at once");
+            return -1;
+        }
+        place->key = key;
+        place->platform = platform;
+        place->get_proc_address = nullptr;
+    }
+    return static_cast<int>(place - drivers.begin());
+}
+
+bool is_driver_taken(int driver) {
+    return driver_at(driver).get_proc_address != nullptr;
+}
+
+void take_driver(int index, GetProcAddress own) {
+    Driver& driver = driver_at(index);
+    load_real_gl(driver.real, own);
+    if (driver.platform == Platform::kOsmesa) {
+        driver.real.glFinish = end_osmesa_frames(index, driver.real.glFinish);
+    }
+    driver.get_proc_address = own;
+    default_real = driver.real;
+    constexpr std::array kNotes = {"hooked GLX, by the ", "hooked EGL, by the ", "hooked OSMesa, by the "};
+    doctor_note((kNotes[static_cast<std::size_t>(driver.platform)] + std::string(front_name)).c_str());
+    if (gl_was_loaded_ahead) doctor_note("GL was loaded ahead of a library that asked for RTLD_DEEPBIND");
+}
+
+void* layered_function(int index, const char* name) {
+    void* const real = driver_at(index).get_proc_address(name);
+    if (name[0] == 'g' && name[1] == 'l' && name[2] != 'X') {
+        if (const Hook* const hook = find_hook(name)) {
+            const bool is_there =
+                real != nullptr || (hook->is_supplied && !settings().device.emulate.empty());
+            return is_there ? hook->wrapper : nullptr;
+        }
+    }
+    return real == nullptr ? nullptr : winsys_hook(index, name, real);
+}
+
+void* winsys_hook(int index, const char* name, void* real) {
+    switch (driver_at(index).platform) {
+        case Platform::kGlx:
+            return glx_hook(index, name, real);
+        case Platform::kEgl:
+            return egl_hook(index, name, real);
+        case Platform::kOsmesa:
+            return osmesa_hook(index, name, real);
+    }
+    return real;
+}
+
 const RealGl& real_gl_of(int driver) {
-    return drivers[static_cast<std::size_t>(driver)].real;
+    return driver_at(driver).real;
+}
+
+int driver_of(const RealGl* real) {
+    const auto found = std::ranges::find_if(drivers, [real](const Driver& d) { return &d.real == real; });
+    return found == drivers.end() ? -1 : static_cast<int>(found - drivers.begin());
 }
 
 void* driver_function(int driver, const char* name) {
-    return drivers[static_cast<std::size_t>(driver)].get_proc_address(name);
+    return driver_at(driver).get_proc_address(name);
 }
 
 void* wrap_glx_main(void* real) {
     if (settings().steps_aside()) return real;
-    const int place = place_for(real, true);
+    const int place = driver_place(real, Platform::kGlx);
     return place < 0 ? real : reinterpret_cast<void*>(kGlxMains[static_cast<std::size_t>(place)]);
 }
 
 void* wrap_egl_main(void* real) {
     if (settings().steps_aside()) return real;
-    const int place = place_for(real, false);
+    const int place = driver_place(real, Platform::kEgl);
     return place < 0 ? real : reinterpret_cast<void*>(kEglMains[static_cast<std::size_t>(place)]);
 }
 

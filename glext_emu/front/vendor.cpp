@@ -53,7 +53,8 @@ __attribute__((destructor)) void close_drivers() {
     }
 }
 
-// The entry point of the real driver. By libc's own dlsym: a seam that is preloaded would put itself before it.
+// The entry point of the real driver. By libc's own dlsym: a seam that is preloaded would put itself before
+// it.
 void* libc_dlsym(void* library, const char* name) {
     void* const libc = dlopen("libc.so.6", RTLD_LAZY | RTLD_NOLOAD);
     void* const found = libc == nullptr ? nullptr : dlvsym(libc, "dlsym", "GLIBC_2.34");
@@ -68,10 +69,18 @@ void* driver_main(void*& library, const char* prefix, const char* name) {
     void* const main = library == nullptr ? nullptr : libc_dlsym(library, name);
     if (main == nullptr) {
         const char* const why = library == nullptr ? dlerror() : "it is no driver for GLVND";
-        std::fprintf(stderr, "glext_emu: the driver `%s` cannot be loaded: %s.\n", settings().driver.c_str(), why);
+        std::fprintf(stderr, "glext_emu: the driver `%s` cannot be loaded: %s.\n", settings().driver.c_str(),
+                     why);
         _exit(2);
     }
     return main;
+}
+
+// The exports, preloaded, stand above GLVND: then the layer is there already.
+bool exports_are_loaded() {
+    void* const exports = dlopen(kExportsLibrary, RTLD_LAZY | RTLD_NOLOAD);
+    if (exports != nullptr) dlclose(exports);
+    return exports != nullptr;
 }
 
 }  // namespace
@@ -81,12 +90,14 @@ Bool __glx_Main(std::uint32_t version, const __GLXapiExports* exports, __GLXvend
                 __GLXapiImports* imports) {
     using namespace glext_emu;
     void* const real = driver_main(opened.glx, "libGLX_", "__glx_Main");
-    return reinterpret_cast<__PFNGLXMAINPROC>(wrap_glx_main(real))(version, exports, vendor, imports);
+    void* const main = exports_are_loaded() ? real : wrap_glx_main(real);
+    return reinterpret_cast<__PFNGLXMAINPROC>(main)(version, exports, vendor, imports);
 }
 
 EGLBoolean __egl_Main(std::uint32_t version, const __EGLapiExports* exports, __EGLvendorInfo* vendor,
                       __EGLapiImports* imports) {
     using namespace glext_emu;
     void* const real = driver_main(opened.egl, "libEGL_", "__egl_Main");
-    return reinterpret_cast<EglMain>(wrap_egl_main(real))(version, exports, vendor, imports);
+    void* const main = exports_are_loaded() ? real : wrap_egl_main(real);
+    return reinterpret_cast<EglMain>(main)(version, exports, vendor, imports);
 }

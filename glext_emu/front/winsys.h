@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What the GLX and the EGL hooks have in common.
+// What the GLX, EGL and OSMesa hooks have in common.
 #pragma once
 
+#include <atomic>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -32,10 +33,12 @@ std::vector<Int> obey_device(const Int* attributes, Int end, Int major, Int mino
     return out;
 }
 
-// Keeps the driver's function in <slot> and gives the hook in its place.
+// Keeps the driver's function in <slot> and gives the hook in its place. Asked again, by whatever thread, the
+// driver gives the same function: it is written once.
 template <class Function>
 void* take(Function& slot, void* driver_function, Function hook) {
-    slot = reinterpret_cast<Function>(driver_function);
+    const auto real = reinterpret_cast<Function>(driver_function);
+    if (const std::atomic_ref kept(slot); kept != real) kept = real;
     return reinterpret_cast<void*>(hook);
 }
 

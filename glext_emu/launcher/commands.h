@@ -2,6 +2,8 @@
 // The launcher's commands. Each returns the status to exit with.
 #pragma once
 
+#include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,6 +19,7 @@ struct RunOptions {
     std::string device = "native";
     std::string clock = "none";
     std::string report;
+    std::string front;  // seam, vendor or export; empty: what the program's file asks for
     bool is_verbose = false;
     std::vector<std::string> program;  // and its arguments
 };
@@ -28,12 +31,14 @@ int run(const RunOptions& options);
 int list_devices(bool as_json);
 
 // Runs the program for at most <seconds> and says what the layer saw, or why it saw nothing.
-int doctor(const std::vector<std::string>& program, int seconds);
+int doctor(const RunOptions& options, int seconds);
 
-// What a child process needs so that the layer is under it; checked, throws BadUse.
+// What a child process needs so that the layer is under it: variables and their values, none to be unset.
+// Checked, throws BadUse.
 struct Environment {
-    std::string preload;   // LD_PRELOAD
-    std::string settings;  // GLEXT_EMU
+    std::string front;
+    std::map<std::string, std::optional<std::string>> variables;
+    void apply() const;
 };
 Environment environment_for(const RunOptions& options, const std::string& doctor_file = "");
 

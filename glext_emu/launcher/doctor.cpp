@@ -59,8 +59,7 @@ Ending run_for(const std::vector<std::string>& program, const Environment& envir
     const pid_t child = fork();
     if (child < 0) throw BadUse("no process can be made.");
     if (child == 0) {
-        setenv("LD_PRELOAD", environment.preload.c_str(), 1);
-        setenv("GLEXT_EMU", environment.settings.c_str(), 1);
+        environment.apply();
         execvp(arguments[0], arguments.data());
         _exit(127);
     }
@@ -83,7 +82,7 @@ Ending run_for(const std::vector<std::string>& program, const Environment& envir
 }
 
 // Why the layer saw nothing, as far as the program's file tells.
-std::string why_nothing(const std::string& path) {
+std::string why_nothing(const std::string& path, const std::string& front) {
     struct stat info {};
     if (stat(path.c_str(), &info) == 0 && (info.st_mode & (S_ISUID | S_ISGID)) != 0) {
         return "it is set-uid or set-gid, and such programs are left alone.";
@@ -91,20 +90,18 @@ std::string why_nothing(const std::string& path) {
     const ElfFile elf = read_elf(path);
     if (elf.is_elf && !elf.is_64_bit) return "it is a 32-bit program, and this layer is built for 64 bits.";
     if (elf.is_elf && !elf.has_interpreter)
-        return "it is statically linked, so nothing can be preloaded into it.";
-    for (const std::string& needed : elf.needed) {
-        if (needed.starts_with("libOSMesa")) {
-            return "it draws with OSMesa, which loads no GLVND driver and so has no seam for the layer.";
-        }
-    }
-    return "no GLVND driver was loaded: it made no GL context in that time, or it brings a libGL of its own "
-           "that is "
-           "not GLVND's.";
+        return "it is statically linked, so nothing can be loaded into it.";
+    if (front == "export")
+        return "it made no GL context in that time, by none of the GL libraries that it has.";
+    return "no GLVND driver was loaded: it made no GL context in that time, or with OSMesa or a libGL of its "
+           "own "
+           "that is not GLVND's; for such a program there is --front export.";
 }
 
 }  // namespace
 
-int doctor(const std::vector<std::string>& program, int seconds) {
+int doctor(const RunOptions& options, int seconds) {
+    const std::vector<std::string>& program = options.program;
     if (program.empty())
         throw BadUse("there is no program to look at, expected `glext-emu doctor -- program args`.");
     const std::string path = find_program(program.front());
@@ -112,9 +109,8 @@ int doctor(const std::vector<std::string>& program, int seconds) {
         throw BadUse(fmt::format("{} is not a program that can be run.", program.front()));
     }
     const Notebook notebook;
-    RunOptions options;
-    options.program = program;
-    const Ending ending = run_for(program, environment_for(options, notebook.path()), seconds);
+    const Environment environment = environment_for(options, notebook.path());
+    const Ending ending = run_for(program, environment, seconds);
 
     const std::vector<std::string> lines = notebook.lines();
     for (const std::string& line : lines) fmt::print("{}\n", line);
@@ -129,7 +125,7 @@ int doctor(const std::vector<std::string>& program, int seconds) {
         fmt::print("The layer is under this program.\n");
         return 0;
     }
-    fmt::print("The layer is not under this program: {}\n", why_nothing(path));
+    fmt::print("The layer is not under this program: {}\n", why_nothing(path, environment.front));
     return 1;
 }
 

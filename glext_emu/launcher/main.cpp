@@ -15,6 +15,7 @@ constexpr const char* kFooter = R"(examples
   glext-emu run --device visualize-fx -- ./my_program             1997: one boolean occlusion test at a time
   glext-emu run --device geforce-fx-5950 --clock wall=50 -- ...   2003: query objects, results 50 us late
   glext-emu run --device mesa --report report.json -- ...         count queries, waits, draws per frame
+  glext-emu run --front vendor -- ...                             as a GLVND vendor library, without a preload
   glext-emu doctor -- ./my_program                                is the layer under it, and if not, why
 
 GLEXT_EMU=0 in the environment switches the layer off.)";
@@ -42,6 +43,11 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     run_command->add_option("--report", options.report,
                             "write queries, waits and draws per frame to this JSON file");
+    const char* const front_help =
+        "how it gets under the program: seam, vendor or export (see docs/interposing.md); by itself export "
+        "for a "
+        "program that needs libOSMesa, else seam";
+    run_command->add_option("--front", options.front, front_help);
     run_command->add_flag("-v,--verbose", options.is_verbose, "say how the program is started");
 
     bool as_json = false;
@@ -52,6 +58,7 @@ int main(int argc, char** argv) {
     CLI::App* const doctor_command =
         app.add_subcommand("doctor", "say whether the layer gets under a program, and if not, why");
     doctor_command->prefix_command();
+    doctor_command->add_option("--front", options.front, front_help);
     doctor_command->add_option("--seconds", seconds, "end the program after this many")
         ->capture_default_str()
         ->check(CLI::Range(1, 3600));
@@ -75,13 +82,11 @@ int main(int argc, char** argv) {
                    command->remaining().front(), command->get_name());
         return 2;
     }
+    options.program = std::move(program);
     try {
-        if (*run_command) {
-            options.program = std::move(program);
-            return run(options);
-        }
+        if (*run_command) return run(options);
         if (*devices_command) return list_devices(as_json);
-        return doctor(program, seconds);
+        return doctor(options, seconds);
     } catch (const std::exception& error) {
         fmt::print(stderr, "glext-emu: {}\n", error.what());
         return 2;
