@@ -13,7 +13,7 @@ class EarlyTestsCount : public CountingTest {
     void SetUp() override {
         ASSERT_NO_FATAL_FAILURE(CountingTest::SetUp());
         if (IsSkipped()) return;
-        if (const auto why = lacks(42)) GTEST_SKIP() << *why;
+        if (const auto why = lacks("GL_ARB_shader_image_load_store")) GTEST_SKIP() << *why;
     }
 };
 
@@ -26,8 +26,9 @@ std::string fragment_shader(const std::string& body) {
 }
 
 std::string early_fragment_shader(const std::string& body) {
-    return "#version 420 compatibility\nlayout(early_fragment_tests) in;\nvoid main() {\n" + body +
-           "    gl_FragColor = gl_Color;\n}\n";
+    return "#version 150 compatibility\n#extension GL_ARB_shader_image_load_store : "
+           "require\nlayout(early_fragment_tests) in;\nvoid main() {\n" +
+           body + "    gl_FragColor = gl_Color;\n}\n";
 }
 
 const char* const kDiscardLeft = "    if (gl_FragCoord.x < 32.0) discard;\n";
