@@ -62,6 +62,27 @@ TEST_P(OverlapConditional, the_query_in_use_is_not_begun) {
     EXPECT_EQ(query.result(), way().of(64));
 }
 
+// MIX-20. GL 4.5, 5.1.3: an object that is deleted in use is no object at once and lives until it is used no
+// more. Decided: until then its name cannot be begun.
+TEST_P(OverlapConditional, the_name_of_a_query_deleted_in_use_is_free_after_the_block) {
+    const AnyQuery query(way());
+    ASSERT_EQ(query.count([] {}), 0u);
+    clear();
+    glBeginConditionalRender(query.name(), GL_QUERY_WAIT);
+    delete_query(way(), query.name());
+    EXPECT_TRUE(no_error());
+    EXPECT_FALSE(query.exists());
+    query.begin();
+    EXPECT_TRUE(error_is(GL_INVALID_OPERATION));
+    EXPECT_EQ(active_name(way()), 0);
+    draw_columns(8);
+    glEndConditionalRender();
+    EXPECT_EQ(drawn_pixels(), 0) << "the block goes on by the result that it had";
+    EXPECT_FALSE(query.exists());
+    EXPECT_EQ(query.count([] { draw_columns(8); }), way().of(64));
+    EXPECT_TRUE(no_error());
+}
+
 // MIX-21, MIX-25. GL 4.5, 10.9: what conditional rendering discards makes no fragments; what it draws does.
 TEST_P(OverlapConditional, the_test_counts_inside_a_block_what_is_drawn) {
     const AnyQuery hidden(way());
