@@ -94,4 +94,13 @@ void Clock::wait_until(Tick due) {
     }
 }
 
+bool Clock::wait_for(Tick due, std::uint64_t most_ns) {
+    // So long that the sum does not overflow: no latency comes near a century.
+    constexpr std::uint64_t kForEver = std::uint64_t{3'000'000'000} * 1'000'000'000;
+    const bool is_long_enough =
+        latency_.kind != ClockKind::kWall || now() + std::min(most_ns, kForEver) >= due;
+    wait_until(is_long_enough ? due : now() + most_ns);
+    return reached(due);
+}
+
 }  // namespace occlusion_unit

@@ -55,8 +55,11 @@ class Clock {
     bool reached(Tick due) const { return now() >= due; }
     // A blocking read: returns when the clock has reached <due>.
     void wait_until(Tick due);
-    // Returns when everything is due that has ended so far, as Finish does.
-    void finish() { wait_until(latest_due_); }
+    // Waits for <due> no longer than <most_ns> nanoseconds; true where it was reached. A deterministic clock
+    // is moved to it, however short the time.
+    bool wait_for(Tick due, std::uint64_t most_ns);
+    // When everything is due that has ended so far.
+    Tick latest_due() const { return latest_due_; }
 
   private:
     Tick now() const;

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "context/advertised.h"
@@ -76,6 +77,7 @@ struct Context {
     std::vector<SavedEnable> attrib_stack;
     OcclusionSlot slot;
     ConditionalRender conditional;
+    std::unordered_map<GLsync, occlusion_unit::Tick> fences;  // when what ended before them is due
     occlusion_unit::Clock clock;
     FrameCounts frame;
 };

@@ -84,10 +84,4 @@ void end(Context& ctx) {
     ctx.real->glEnd();
 }
 
-// GL 4.6, 2.3.2: everything has taken effect when Finish returns, so results are there.
-void finish(Context& ctx) {
-    ctx.real->glFinish();
-    if (!ctx.inside_begin_end) ctx.clock.finish();
-}
-
 }  // namespace glext_emu::features

@@ -14,7 +14,13 @@ void draw_pixels(Context& ctx, GLsizei width, GLsizei height, GLenum format, GLe
 void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type);
 void begin(Context& ctx, GLenum mode);
 void end(Context& ctx);
+
+// fences.cpp
 void finish(Context& ctx);
+GLsync fence_sync(Context& ctx, GLenum condition, GLbitfield flags);
+GLenum client_wait_sync(Context& ctx, GLsync sync, GLbitfield flags, GLuint64 timeout_ns);
+void get_synciv(Context& ctx, GLsync sync, GLenum pname, GLsizei count, GLsizei* length, GLint* values);
+void delete_sync(Context& ctx, GLsync sync);
 
 // occlusion_test.cpp: GL_HP_occlusion_test.
 void enable(Context& ctx, GLenum cap);

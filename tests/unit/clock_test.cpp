@@ -98,14 +98,30 @@ TEST(Clock, due_times_never_fall) {
     }
 }
 
-TEST(Clock, after_a_finish_everything_that_has_ended_is_due) {
+TEST(Clock, a_wait_that_is_too_short_ends_before_the_result_is_due) {
+    Clock clock = clock_of("wall=2000000");
+    const Tick due = clock.due();
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_FALSE(clock.wait_for(due, 1'000'000));
+    const auto spent = std::chrono::steady_clock::now() - start;
+    EXPECT_GE(spent, std::chrono::milliseconds(1));
+    EXPECT_LT(spent, std::chrono::seconds(2));
+    Clock short_clock = clock_of("wall=300");
+    EXPECT_TRUE(short_clock.wait_for(short_clock.due(), ~std::uint64_t{0}));
+    for (const char* text : {"calls=3", "frames=2"}) {
+        Clock deterministic = clock_of(text);
+        EXPECT_TRUE(deterministic.wait_for(deterministic.due(), 0)) << text;
+    }
+}
+
+TEST(Clock, after_a_wait_for_the_latest_everything_that_has_ended_is_due) {
     for (const char* text : {"wall=30", "calls=3", "frames=2"}) {
         Clock clock = clock_of(text);
         const Tick first = clock.due();
         clock.count_call();
         const Tick second = clock.due();
         EXPECT_FALSE(clock.reached(second)) << text;
-        clock.finish();
+        clock.wait_until(clock.latest_due());
         EXPECT_TRUE(clock.reached(first)) << text;
         EXPECT_TRUE(clock.reached(second)) << text;
         EXPECT_FALSE(clock.reached(clock.due())) << text;

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// GL 4.6, 2.3.2 and 4.1: Finish and fences say that everything before them is complete, queries included. So
+// under a clock they complete when the results of the queries before them are due. A fence is followed in the
+// context that made it, where those queries are.
+#include "features/features.h"
+#include "features/stall.h"
+
+namespace glext_emu::features {
+namespace {
+
+// The fence's due time while it is not reached; nothing for fences that the layer does not hold back.
+std::optional<occlusion_unit::Tick> pending(const Context& ctx, GLsync sync) {
+    const auto found = ctx.fences.find(sync);
+    if (found == ctx.fences.end() || ctx.clock.reached(found->second)) return std::nullopt;
+    return found->second;
+}
+
+}  // namespace
+
+void finish(Context& ctx) {
+    ctx.real->glFinish();
+    if (!ctx.inside_begin_end) ctx.clock.wait_until(ctx.clock.latest_due());
+}
+
+GLsync fence_sync(Context& ctx, GLenum condition, GLbitfield flags) {
+    GLsync sync = ctx.real->glFenceSync(condition, flags);
+    if (sync != nullptr && ctx.clock.delays()) ctx.fences[sync] = ctx.clock.latest_due();
+    return sync;
+}
+
+GLenum client_wait_sync(Context& ctx, GLsync sync, GLbitfield flags, GLuint64 timeout_ns) {
+    const GLenum answer = ctx.real->glClientWaitSync(sync, flags, timeout_ns);
+    const auto due = pending(ctx, sync);
+    if (!due || (answer != GL_ALREADY_SIGNALED && answer != GL_CONDITION_SATISFIED)) return answer;
+    if (timeout_ns == 0) return ctx.clock.poll(*due) ? answer : GL_TIMEOUT_EXPIRED;
+    const StallScope stall(ctx);
+    return ctx.clock.wait_for(*due, timeout_ns) ? GL_CONDITION_SATISFIED : GL_TIMEOUT_EXPIRED;
+}
+
+void get_synciv(Context& ctx, GLsync sync, GLenum pname, GLsizei count, GLsizei* length, GLint* values) {
+    ctx.real->glGetSynciv(sync, pname, count, length, values);
+    const auto due = pending(ctx, sync);
+    if (due && pname == GL_SYNC_STATUS && count > 0 && values != nullptr && !ctx.clock.poll(*due)) {
+        *values = GL_UNSIGNALED;
+    }
+}
+
+void delete_sync(Context& ctx, GLsync sync) {
+    ctx.fences.erase(sync);
+    ctx.real->glDeleteSync(sync);
+}
+
+}  // namespace glext_emu::features
