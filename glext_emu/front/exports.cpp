@@ -85,15 +85,15 @@ Library& library_at(int driver) {
     return libraries[static_cast<std::size_t>(driver)];
 }
 
-// The library's own function. It tells by GetProcAddress of GL's functions, by its symbols of the window
-// system's: OSMesa's table of those is bound by name, and so to ours.
+// The library's own function. Its symbols tell better than its GetProcAddress, whose table may be bound by
+// name and so to ours; but they name no more than what was there when it was built.
 void* own_function(int driver, const char* name) {
     const Library& library = library_at(driver);
     const std::string_view view = name;
-    const bool is_winsys = view.starts_with("glX") || view.starts_with("egl") || view.starts_with("OSMesa");
-    void* found = is_winsys ? LoadedLibrary(library.path).find(name) : nullptr;
+    const bool may_be_symbol =
+        view.starts_with("gl") || view.starts_with("egl") || view.starts_with("OSMesa");
+    void* found = may_be_symbol ? LoadedLibrary(library.path).find(name) : nullptr;
     if (found == nullptr && library.get_proc_address != nullptr) found = library.get_proc_address(name);
-    if (found == nullptr && view.starts_with("gl")) found = LoadedLibrary(library.path).find(name);
     return is_ours(found) ? nullptr : found;
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Load path: Python's ctypes, `ctypes_path.py glx|egl`. The check is load_check.h's, in Python."""
+"""Load path: Python's ctypes, `ctypes_path.py glx|egl|osmesa`. The check is load_check.h's, in Python."""
 import ctypes
 import os
 import sys
@@ -59,6 +59,16 @@ def open_glx():
     return gl
 
 
+def open_osmesa():
+    gl = ctypes.CDLL("libOSMesa.so.8")
+    gl.OSMesaCreateContextExt.restype = ctypes.c_void_p
+    context = ctypes.c_void_p(gl.OSMesaCreateContextExt(0x1908, 16, 0, 0, None))  # RGBA
+    require(context.value, "OSMesaCreateContextExt succeeds")
+    open_osmesa.pixels = (ctypes.c_ubyte * (64 * 64 * 4))()  # as long as the context draws into them
+    require(gl.OSMesaMakeCurrent(context, open_osmesa.pixels, 0x1401, 64, 64), "OSMesaMakeCurrent succeeds")
+    return gl
+
+
 def draw_quad(gl, z):
     gl.glBegin(GL_QUADS)
     for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
@@ -94,4 +104,5 @@ def check(gl, layer):
 
 if __name__ == "__main__":
     require(os.environ.get("EXPECT") in ("layer", "nothing"), "EXPECT is `layer` or `nothing`")
-    check(open_glx() if sys.argv[1] == "glx" else open_egl(), os.environ["EXPECT"] == "layer")
+    openers = {"glx": open_glx, "egl": open_egl, "osmesa": open_osmesa}
+    check(openers[sys.argv[1]](), os.environ["EXPECT"] == "layer")

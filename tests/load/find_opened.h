@@ -26,5 +26,5 @@ static inline void* open_or_exit(const char* library, int mode) {
 
 static inline void open_gl_libraries(void) {
     winsys_handle = open_or_exit(WINSYS_LIBRARY, RTLD_NOW | RTLD_LOCAL);
-    gl_handle = open_or_exit("libGL.so.1", RTLD_NOW | RTLD_LOCAL);
+    gl_handle = open_or_exit(GL_LIBRARY, RTLD_NOW | RTLD_LOCAL);
 }

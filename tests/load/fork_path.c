@@ -31,12 +31,7 @@ static int fork_idle(void) {
 }
 
 static int fork_child_draws(void) {
-    Function loaded = (Function)
-#ifdef LOAD_GLX
-        glXGetProcAddressARB((const GLubyte*)"glClear");
-#else
-        eglGetProcAddress("glClear");
-#endif
+    const Function loaded = (Function)GET_PROC_ADDRESS("glClear");
     if (!loaded) return failed("GL is not loaded before the fork");
     const pid_t child = fork();
     if (child == 0) exit(check_platform(find_linked, find_linked));

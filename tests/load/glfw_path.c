@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Load path: GLFW, on X11: `glfw_path glx` or `glfw_path egl`.
+// Load path: GLFW, on X11: `glfw_path glx`, `glfw_path egl` or `glfw_path osmesa`.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -19,8 +19,10 @@ int main(int argc, char** argv) {
     if (argc != 2) return kBadUse;
     if (!getenv("DISPLAY")) return kSkipped;
     if (!glfwInit()) return failed_in_glfw();
-    const int egl = strcmp(argv[1], "egl") == 0;
-    glfwWindowHint(GLFW_CONTEXT_CREATION_API, egl ? GLFW_EGL_CONTEXT_API : GLFW_NATIVE_CONTEXT_API);
+    const int api = strcmp(argv[1], "egl") == 0      ? GLFW_EGL_CONTEXT_API
+                    : strcmp(argv[1], "osmesa") == 0 ? GLFW_OSMESA_CONTEXT_API
+                                                     : GLFW_NATIVE_CONTEXT_API;
+    glfwWindowHint(GLFW_CONTEXT_CREATION_API, api);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_DEPTH_BITS, 16);
     GLFWwindow* window = glfwCreateWindow(64, 64, "load path", NULL, NULL);

@@ -18,17 +18,19 @@ static void leave_a_result_unread(const struct Gl* gl) {
     draw_quad(gl, 0);
 }
 
-// GL ends a context that is destroyed while current only when it is current no more.
+// GL ends a context that is destroyed while current only when it is current no more; OSMesa ends it at once.
 static int destroy_current(void) {
     struct Session session = open_session(find_linked);
     const struct Gl gl = find_gl(find_linked);
     leave_a_result_unread(&gl);
     destroy_context(&session, session.context);
+#ifndef LOAD_OSMESA
     if (test_is_enabled(&gl) != GL_TRUE) return failed("destroying the current context disabled its test");
     if (read_result(&gl) != GL_TRUE) return failed("destroying the current context lost its result");
     draw_quad(&gl, 0);
-
     make_current(&session, NULL);
+#endif
+
     session.context = create_context(&session);
     if (!make_current(&session, session.context)) return failed("the next context cannot be made current");
     if (!starts_clean(&gl)) return failed("the next context has state of the destroyed one");

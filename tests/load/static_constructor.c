@@ -2,12 +2,6 @@
 // Load path: every address is asked for in a static constructor, before main and before any context.
 #include "platform.h"
 
-#ifdef LOAD_GLX
-#define GET_PROC_ADDRESS(name) glXGetProcAddress((const GLubyte*)(name))
-#else
-#define GET_PROC_ADDRESS(name) eglGetProcAddress(name)
-#endif
-
 #define NAME(name) {#name, NULL},
 
 static struct NamedFunction rows[] = {GL_COMMANDS(NAME) WINSYS_COMMANDS(NAME)};
