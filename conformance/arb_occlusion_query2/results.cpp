@@ -26,7 +26,7 @@ TEST_P(AnyResult, however_many_samples_pass_the_result_is_one) {
 }
 
 // AOQ2-02, AOQ2-08. ARB_ES3_compatibility, 4.1.7: a conservative one may be TRUE "in some other
-// implementation-dependent cases"; a query around nothing is FALSE, for nothing can be mistaken.
+// implementation-dependent cases"; around nothing it is FALSE, for no fragment is there to be mistaken.
 TEST_P(AnyResult, where_no_sample_passes_the_result_is_zero) {
     draw_occluder();
     const Query query(target());
@@ -51,7 +51,7 @@ TEST_P(AnyResult, one_visible_sample_anywhere_is_not_missed) {
 }
 
 // AOQ2-09. EXT_occlusion_query_boolean, issue 13, of applying the less precise test at random: "No. This
-// would violate the GL repeatability" rules.
+// would violate the GL repeatability principle."
 TEST_P(AnyResult, the_same_commands_give_the_same_result) {
     const Query query(target());
     const auto behind_a_half = [&](int column) {

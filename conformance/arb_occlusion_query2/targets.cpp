@@ -37,9 +37,9 @@ TEST_P(AnyTarget, the_counter_has_a_bit_or_none_at_all) {
     EXPECT_EQ(visible, bits > 0 ? 1u : 0u);
 }
 
-// AOQ2-04. GL 4.5, 4.2: INVALID_OPERATION "if an active query object name for any of the targets
-// SAMPLES_PASSED, ANY_SAMPLES_PASSED or ANY_SAMPLES_PASSED_CONSERVATIVE is non-zero" and the target is one of
-// them.
+// AOQ2-04. ARB_occlusion_query2, 2.14: BeginQuery is INVALID_OPERATION "for the targets SAMPLES_PASSED or
+// ANY_SAMPLES PASSED, if the active query object for either target is non-zero"; GL 4.5, 4.2: the
+// conservative target is the third of them.
 TEST_F(AnyTargets, one_occlusion_query_at_a_time_whatever_the_two_targets) {
     for (const Target& first : occlusion_targets()) {
         for (const Target& second : occlusion_targets()) {
@@ -60,7 +60,7 @@ TEST_F(AnyTargets, one_occlusion_query_at_a_time_whatever_the_two_targets) {
     }
 }
 
-// AOQ2-05. GL 4.5, 4.2: EndQuery is INVALID_OPERATION "if the active query object name for target is zero".
+// AOQ2-05. GL 4.5, 4.2: EndQuery is INVALID_OPERATION where no query of its own target is active.
 TEST_F(AnyTargets, ending_another_target_than_was_begun_is_refused) {
     for (const Target& begun : occlusion_targets()) {
         const Query query(begun.value);
@@ -93,8 +93,8 @@ TEST_F(AnyTargets, the_active_query_is_current_on_its_own_target_only) {
     }
 }
 
-// AOQ2-10. GL 4.5, 4.2: INVALID_OPERATION "if id is the name of an existing query object whose type does not
-// match target": a number is no boolean.
+// AOQ2-10. ARB_occlusion_query2, 2.14: INVALID_OPERATION "if id is the name of an existing query object whose
+// type does not match target": a number is no boolean.
 TEST_P(AnyTarget, a_counting_object_is_not_begun_as_a_boolean_nor_the_reverse) {
     for (const bool is_counting : {true, false}) {
         const GLenum made = is_counting ? GL_SAMPLES_PASSED : target();
@@ -110,7 +110,7 @@ TEST_P(AnyTarget, a_counting_object_is_not_begun_as_a_boolean_nor_the_reverse) {
 }
 
 // AOQ2-11. GL 4.5, 4.2 (bug 13342): the types of ANY_SAMPLES_PASSED and ANY_SAMPLES_PASSED_CONSERVATIVE
-// match: an object made with one "may be used" with the other.
+// match: an object made with one is begun with the other.
 TEST_P(AnyTarget, a_boolean_object_is_begun_with_the_other_boolean_target_too) {
     if (const auto why = lacks_conservative()) GTEST_SKIP() << *why;
     const GLenum other = is_conservative() ? GL_ANY_SAMPLES_PASSED : GL_ANY_SAMPLES_PASSED_CONSERVATIVE;

@@ -15,7 +15,7 @@ COUNT_WITH_EACH(DepthCounts);
 COUNT_WITH_EACH(ColourCounts);
 
 // CNT-01, CNT-02, CNT-03. ARB 4.1.6A: "the samples-passed count increases by 1 for each fragment"; GL 4.5,
-// 17.3.6: with the depth test disabled "the fragment always passes".
+// 17.3.6: with the depth test disabled, comparison and update are bypassed.
 TEST_P(DepthCounts, without_a_depth_test_every_fragment_counts) {
     expect_count(kAll, draw_whole);
     expect_count(1, [] { draw_point(7, 9, kMiddle); });

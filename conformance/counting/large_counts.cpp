@@ -69,8 +69,8 @@ class LargeCounts : public CountingTest {
 
 COUNT_WITH_EACH(LargeCounts);
 
-// CNT-54. ARB, issues: a counter of 32 bits holds 1,048,576,000 samples, as 1,000 overdraws of a screen of
-// 1997 make; none is lost.
+// CNT-54. ARB, issues: "The largest minimum that can be required of a GL implementation is 32" bits: more
+// samples than 1,000 full rectangles of 1024 x 1024 make are counted one by one.
 TEST_P(LargeCounts, a_thousand_million_samples_are_counted_exactly) {
     if (GetParam().is_boolean) GTEST_SKIP() << "a boolean holds no number";
     constexpr int kTimes = 63;

@@ -71,7 +71,7 @@ TEST_P(SamplesCount, a_sample_mask_leaves_its_samples) {
     expect_count(0, draw_whole);
 }
 
-// CNT-36. GL 4.5, 14.9.3: SAMPLE_COVERAGE_VALUE of all samples, "ideally" that part of them.
+// CNT-36. GL 4.5, 14.9.3: SAMPLE_COVERAGE_VALUE says which part of the samples is left.
 TEST_P(SamplesCount, sample_coverage_leaves_its_part) {
     glEnable(GL_SAMPLE_COVERAGE);
     glSampleCoverage(0.5f, GL_FALSE);

@@ -171,7 +171,7 @@ TEST_P(NoFragments, feedback_and_selection_do_not_count) {
     expect_count(kAll, draw_whole);
 }
 
-// CNT-27. GL 4.5, 14.1: with RASTERIZER_DISCARD primitives are "discarded before the rasterization stage".
+// CNT-27. GL 4.5, 14.1: with RASTERIZER_DISCARD no primitive gets as far as rasterization.
 TEST_P(NoFragments, discarded_primitives_do_not_count) {
     if (const auto why = lacks(30)) GTEST_SKIP() << *why;
     glEnable(GL_RASTERIZER_DISCARD);

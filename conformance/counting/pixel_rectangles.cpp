@@ -89,8 +89,8 @@ TEST_P(PixelsCount, copied_depths_take_the_depth_test) {
     expect_count(0, [] { glCopyPixels(48, 0, 16, 12, GL_DEPTH); });
 }
 
-// CNT-22. GL 4.5 compatibility, 18.1.1: stencil indices are no fragments; they pass "the pixel ownership test
-// and the scissor test" only and are written.
+// CNT-22. GL 2.1, 4.3.1: stencil indices "are produced in lieu of fragments", and but for pixel ownership and
+// scissor "all other per-fragment operations are bypassed".
 TEST_P(PixelsCount, drawn_and_copied_stencil_does_not_count) {
     if (GetParam().is_conservative) GTEST_SKIP() << "a conservative TRUE says nothing";
     draw_occluder();

@@ -56,8 +56,8 @@ TEST_P(ShaderCounts, the_depth_of_the_shader_decides) {
     expect_count(kAll / 2, [] { draw_rect(kRight, kFar); });
 }
 
-// CNT-29. GL 4.5, 14.9.4: with early_fragment_tests "the depth and stencil tests will be performed, and the
-// occlusion query sample counter updated", before the fragment shader is executed.
+// CNT-29. GL 4.5, 14.9.4: with early_fragment_tests the stencil and depth tests and the counting of samples
+// come before the fragment shader.
 TEST_P(EarlyTestsCount, a_fragment_counts_before_the_shader_discards_it) {
     const Program program({.vertex = kFixedVertexSource, .fragment = early_fragment_shader(kDiscardLeft)});
     expect_count(kAll, draw_whole);
@@ -76,7 +76,7 @@ TEST_P(EarlyTestsCount, what_fails_the_early_tests_does_not_count) {
     expect_count(0, [] { draw_rect(kWhole, kNear); });
 }
 
-// CNT-31. GL 4.5, 15.2.4: with early tests a depth that the shader writes "will have no effect"; the
+// CNT-31. GL 4.5, 15.2.4: with early tests a depth that the shader writes has no effect; the
 // rasterized depth has been tested.
 TEST_P(EarlyTestsCount, the_depth_of_the_shader_does_not_matter) {
     draw_occluder();
