@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The same programs once more: on Mesa's second software driver, on its off-screen library, and with the layer beneath them
-# in other ways than the preload. A subset: what is particular to a driver, a platform or a front shows in any program.
+# The same programs once more: on Mesa's second software driver, on its off-screen library, and with the layer beneath
+# them in other ways than the preload. A subset: what is particular to a driver, a platform or a front shows in any.
 set(every_query ${CONFORMANCE_DEVICES}/every-query.toml)
 
 # Softpipe counts no generated primitives.
@@ -26,7 +26,7 @@ add_emulated_conformance(overlap REQUIRE GL_NV_occlusion_query DEVICE ${every_qu
 add_emulated_conformance(contexts REQUIRE GL_NV_occlusion_query DEVICE ${every_query} FRONT vendor)
 add_emulated_conformance(transparency REQUIRE GL_HP_occlusion_test DEVICE ${every_query} FRONT vendor PLATFORM glx)
 
-# OSMesa. It exports fewer names than libGL: the two suites that read 64-bit results, and addresses from libGL, are left out.
+# OSMesa. It exports fewer names than libGL: the suites that read 64-bit results and addresses of libGL are left out.
 set(osmesas_suites BeginEnd.* Counting.* GetQuery.* Names.* NamesInUse.* Order.* QueryLists.*)
 add_native_conformance(arb_occlusion_query REQUIRE GL_ARB_occlusion_query PLATFORM osmesa ONLY ${osmesas_suites} WITHOUT
   BeginEnd.the_object_of_the_conditional_rendering_in_progress_is_refused
