@@ -11,9 +11,9 @@ from make_table import make
 
 TABLE = "| statement | test | remark |\n|---|---|---|\n"
 STATEMENTS = (
-    "statement\tsection\ttext\tsource\n"
-    "AB-01\tFirst\tIt is.\tclause\n"
-    "AB-02\tFirst\tIt | is <not>.\t\n"
+    "statement\tsection\tsource\ttext\n"
+    "AB-01\tFirst\tclause\tIt is.\n"
+    "AB-02\tFirst\t\tIt | is <not>.\n"
 )
 GOOD = "| AB-01, 02 | `Suite.one`, `Suite.two` | |\n"
 RUNS = "run\tresults\tfolder\tkind\tdriver\tfront\tplatform\tdevice\tclock\tdeparture\n"
