@@ -23,7 +23,7 @@ struct Settings {
     Device device;
     occlusion_unit::Latency latency;
     std::string report_path;
-    std::string driver = "mesa";
+    std::string driver;  // empty: mesa
     std::string doctor_path;
 
     // True where the layer has nothing to do and leaves the driver alone.
