@@ -53,8 +53,7 @@ __attribute__((destructor)) void close_drivers() {
     }
 }
 
-// The entry point of the real driver. By libc's own dlsym: a seam that is preloaded would put itself before
-// it.
+// By libc's own dlsym: that of a seam that is preloaded would put a second layer before the driver.
 void* libc_dlsym(void* library, const char* name) {
     void* const libc = dlopen("libc.so.6", RTLD_LAZY | RTLD_NOLOAD);
     void* const found = libc == nullptr ? nullptr : dlvsym(libc, "dlsym", "GLIBC_2.34");
@@ -63,14 +62,14 @@ void* libc_dlsym(void* library, const char* name) {
 }
 
 void* driver_main(void*& library, const char* prefix, const char* name) {
-    const std::string file = prefix + settings().driver + ".so.0";
+    const std::string driver = settings().driver.empty() ? "mesa" : settings().driver;
+    const std::string file = prefix + driver + ".so.0";
     const std::lock_guard lock(opened.mutex);
     if (library == nullptr) library = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
     void* const main = library == nullptr ? nullptr : libc_dlsym(library, name);
     if (main == nullptr) {
         const char* const why = library == nullptr ? dlerror() : "it is no driver for GLVND";
-        std::fprintf(stderr, "glext_emu: the driver `%s` cannot be loaded: %s.\n", settings().driver.c_str(),
-                     why);
+        std::fprintf(stderr, "glext_emu: the driver `%s` cannot be loaded: %s.\n", driver.c_str(), why);
         _exit(2);
     }
     return main;
