@@ -3,6 +3,7 @@
 #include <array>
 #include <sstream>
 
+#include "harness/gl_test.h"
 #include "snapshot.h"
 
 namespace tests {
@@ -63,6 +64,8 @@ void add_fixed_function(Snapshot& snapshot) {
 void add_object_names(Snapshot& snapshot, int version) {
     snapshot["IsTexture"] = names_of(glIsTexture);
     snapshot["IsList"] = names_of(glIsList);
+    if (conformance::has_extension("GL_NV_occlusion_query"))
+        snapshot["IsOcclusionQueryNV"] = names_of(glIsOcclusionQueryNV);
     if (version >= 15) {
         snapshot["IsQuery"] = names_of(glIsQuery);
         snapshot["IsBuffer"] = names_of(glIsBuffer);

@@ -2,6 +2,7 @@
 // Each call on query objects changes what its text says and no other gettable state, delayed or not, with and
 // without the HP test beside it.
 #include "harness/query.h"
+#include "query_rows.h"
 #include "state_test.h"
 
 namespace tests {
@@ -36,13 +37,6 @@ class QueryCalls : public StateTest {
     bool has_test_ = false;
 };
 
-const Rows kObjects = {"IsQuery"};
-
-// CURRENT_QUERY is asked of each target; only the one may change.
-Rows active(const char* target) {
-    return {std::string("Query ") + target};
-}
-
 GLuint get_object(const Query& query, GLenum parameter) {
     GLuint value = conformance::kUntouched;
     glGetQueryObjectuiv(query.name(), parameter, &value);
@@ -58,7 +52,7 @@ TEST_F(QueryCalls, names_change_nothing_until_they_are_begun) {
 TEST_F(QueryCalls, begin_and_end_change_the_active_query) {
     with_and_without_test([this] {
         const Query query;
-        expect_changes(kObjects + active("GL_SAMPLES_PASSED"), [&] { query.begin(); });
+        expect_changes(objects() + active("GL_SAMPLES_PASSED"), [&] { query.begin(); });
         expect_nothing([] { draw_rect(kWhole, kNear); });
         expect_changes(active("GL_SAMPLES_PASSED"), [&] { query.end(); });
         expect_changes_with_error_pending(active("GL_SAMPLES_PASSED"), [&] { query.begin(); });
@@ -94,7 +88,7 @@ TEST_F(QueryCalls, deleting_changes_the_name_alone) {
         glBeginQuery(GL_SAMPLES_PASSED, name);
         draw_rect(kWhole, kNear);
         glEndQuery(GL_SAMPLES_PASSED);
-        expect_changes(kObjects, [&] { glDeleteQueries(1, &name); });
+        expect_changes(objects(), [&] { glDeleteQueries(1, &name); });
     });
 }
 
@@ -127,7 +121,7 @@ TEST_F(QueryCalls, compiled_queries_change_nothing_until_they_are_called) {
             glEndList();
         };
         expect_nothing(compile);
-        expect_changes(kObjects, [&] { glCallList(list); });
+        expect_changes(objects(), [&] { glCallList(list); });
         expect_nothing([&] { glCallList(list); });
         query.result();
         glDeleteLists(list, 1);

@@ -9,4 +9,8 @@ namespace tests {
 // pixels.
 void disarrange();
 
+// What a rectangle over the whole window draws then: the viewport is 1 to 61 by 2 to 61, the scissor box 1 to
+// 51 by 1 to 50.
+inline constexpr unsigned kPixelsOfWhole = 50 * 48;
+
 }  // namespace tests

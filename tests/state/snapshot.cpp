@@ -39,22 +39,19 @@ bool may_be_read(GLenum name) {
 }
 
 // What a Get left as it was is told from what it wrote by a pattern that no state has.
-template <typename T>
-std::array<T, kRoom> unwritten() {
-    std::array<T, kRoom> values;
-    std::memset(values.data(), 0xA7, sizeof values);
-    return values;
-}
+constexpr int kPattern = 0xA7;
 
 template <typename T, typename Get>
 std::string values_of(Get get) {
-    static const auto pattern = unwritten<T>();
-    auto values = pattern;
+    static std::array<T, kRoom> values;  // what lies beyond kMostValues is written at times, and never read
+    std::memset(values.data(), kPattern, kMostValues * sizeof(T));
+    T unwritten;
+    std::memset(&unwritten, kPattern, sizeof(T));
     get(values.data());
     std::ostringstream text;
     text.precision(17);
     for (std::size_t i = 0; i < kMostValues; ++i) {
-        if (std::memcmp(&values[i], &pattern[i], sizeof(T)) == 0) break;
+        if (std::memcmp(&values[i], &unwritten, sizeof(T)) == 0) break;
         text << (i ? " " : "") << +values[i];
     }
     return text.str();
