@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Results in a buffer as the GL's own input, and of every kind of query (QBO-11, QBO-13).
+#include <algorithm>
 #include <array>
 
 #include "arb_query_buffer_object/query_buffer_test.h"
@@ -101,6 +102,30 @@ TEST_F(QueryBufferUse, a_result_is_copied_from_buffer_to_buffer) {
         EXPECT_EQ(got, count);
     }
     glDeleteBuffers(1, &copy);
+}
+
+// QBO-13. ARB_occlusion_query, Issues: a counter that overflows saturates; a buffer gets what the counter
+// shows.
+TEST_F(QueryBufferUse, a_count_too_large_for_the_counter_is_written_as_it_is_read) {
+    GLint bits = -1;
+    glGetQueryiv(GL_SAMPLES_PASSED, GL_QUERY_COUNTER_BITS, &bits);
+    const auto largest = static_cast<GLuint64>(bits >= 32 ? 0xFFFFFFFF : (1u << bits) - 1);
+    constexpr int kLayers = 3;
+    const Query query;
+    query.begin();
+    for (int i = 0; i < kLayers; ++i) draw_rect(kWhole, kNear);
+    query.end();
+    const GLuint64 expected = std::min<GLuint64>(largest, kLayers * static_cast<GLuint64>(kWhole.area()));
+    for_each_type([&](auto type) {
+        using Type = decltype(type);
+        for (const GLenum parameter : {GL_QUERY_RESULT, GL_QUERY_RESULT_NO_WAIT}) {
+            const QueryBuffer buffer;
+            write_object<Type>(query.name(), parameter, 8);
+            EXPECT_EQ(buffer.value_at<Type>(8), static_cast<Type>(expected));
+            EXPECT_TRUE(buffer.is_poisoned_but(8, sizeof(Type)));
+        }
+    });
+    EXPECT_EQ(query.result(), expected);
 }
 
 // QBO-13. Issue 6: "Should the extension support all query types supported by the current GL implementation?

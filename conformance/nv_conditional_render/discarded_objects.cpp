@@ -79,7 +79,7 @@ TEST_F(DiscardedObjects, indirect_draws) {
 
 // COND-18. 2.X: "DispatchCompute*" have no effect.
 TEST_F(DiscardedObjects, compute_dispatches) {
-    if (const auto why = lacks(43, "GL_ARB_compute_shader")) GTEST_SKIP() << *why;
+    if (const auto why = lacks(43)) GTEST_SKIP() << *why;
     const char* const source =
         "#version 430\n"
         "layout(local_size_x = 1) in;\n"
