@@ -32,3 +32,15 @@ add_native_conformance(arb_occlusion_query REQUIRE GL_ARB_occlusion_query PLATFO
   BeginEnd.the_object_of_the_conditional_rendering_in_progress_is_refused
   GetQuery.a_name_without_object_cannot_be_labelled
   NamesInUse.deleting_the_active_object_leaves_it_active_until_its_end)
+
+# The exporting library, under OSMesa: the one platform that has no other way in.
+set(osmesa FRONT export PLATFORM osmesa)
+add_emulated_conformance(hp_occlusion_test REQUIRE GL_HP_occlusion_test DEVICE visualize-fx CLOCK wall=50 ${osmesa})
+add_emulated_conformance(nv_occlusion_query REQUIRE GL_NV_occlusion_query DEVICE geforce3 CLOCK calls=50 ${osmesa})
+add_emulated_conformance(arb_occlusion_query REQUIRE GL_ARB_occlusion_query DEVICE geforce-fx-5950 ${osmesa})
+add_emulated_conformance(nv_conditional_render REQUIRE GL_NVX_conditional_render DEVICE ${every_query} ${osmesa})
+add_emulated_conformance(overlap REQUIRE GL_NV_occlusion_query DEVICE ${every_query} ${osmesa})
+add_emulated_conformance(contexts REQUIRE GL_NV_occlusion_query DEVICE ${every_query} ${osmesa})
+add_emulated_conformance(discovery DEVICE ${every_query} ${osmesa})
+add_emulated_conformance(counting REQUIRE GL_NV_occlusion_query DEVICE ${every_query} ${osmesa}
+                         ONLY ClippingCounts.* DepthCounts.* PrimitiveCounts.* StencilCounts.* TestsCount.*)

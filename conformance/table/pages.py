@@ -51,6 +51,7 @@ def tables(judged, faults):
     counts = [
         [name, *map(str, totals(group).values()), str(len(group))] for name, group in sections(judged).items()
     ]
+    counts.append(["in all", *map(str, totals(judged).values()), str(len(judged))])
     yield ("Totals", "Every statement once. Decided: passed, where the texts leave a choice that was made.",
            ["section", *VERDICTS, "statements"], counts)  # fmt: skip
     yield ("Decided", "Where the texts are silent or disagree.", ["statement", "decision"],
