@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What a samples query costs: Begin, a rectangle, End, and reading the result. tests/benchmarks/run starts it
-// with the layer and without, in turn, and compares. Every result is checked against the rectangle's
-// geometry: a wrong count ends the program.
+// What an occlusion query costs: beginning it, a rectangle, ending it, and reading the result.
 //
-// Only functions of OpenGL 1.5, so that a device of that version runs it. Color and depth are not written: no
-// query changes what the next one sees.
+//     query_cost samples|any|nv|hp [options of Google Benchmark]
+//
+// asks by SAMPLES_PASSED, ANY_SAMPLES_PASSED, GL_NV_occlusion_query or GL_HP_occlusion_test.
+// tests/benchmarks/run starts it with the layer and without, in turn, and compares. Every result is checked
+// against the rectangle's geometry: a wrong one ends the program. Color and depth are not written: no query
+// changes what the next one sees.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -12,6 +14,8 @@
 
 #include <array>
 #include <cstdlib>
+#include <memory>
+#include <string>
 
 #include "pbuffer_context.h"
 
@@ -58,18 +62,104 @@ void draw_box(const Box& box) {
                    kBoxNear, kBoxFar);
 }
 
-void query(GLuint name, const Box& box) {
-    glBeginQuery(GL_SAMPLES_PASSED, name);
-    draw_box(box);
-    glEndQuery(GL_SAMPLES_PASSED);
+// A way to ask. The HP test has one result, so only one question at a time.
+class Asker {
+  public:
+    virtual ~Asker() = default;
+    virtual bool can_batch() const { return true; }
+    virtual void make_names(GLsizei count, GLuint* names) { glGenQueries(count, names); }
+    virtual void delete_names(GLsizei count, const GLuint* names) { glDeleteQueries(count, names); }
+    virtual void ask(GLuint name, const Box& box) = 0;
+    virtual GLuint answer(GLuint name) {
+        GLuint result = 0;
+        glGetQueryObjectuiv(name, GL_QUERY_RESULT, &result);
+        return result;
+    }
+    virtual GLuint expected(const Box& box) const { return box.visible(); }
+};
+
+// The queries of core GL, from 1.5 on.
+class CoreAsker : public Asker {
+  public:
+    explicit CoreAsker(GLenum target) : target_(target) {}
+    void ask(GLuint name, const Box& box) override {
+        glBeginQuery(target_, name);
+        draw_box(box);
+        glEndQuery(target_);
+    }
+    GLuint expected(const Box& box) const override {
+        return target_ == GL_SAMPLES_PASSED ? box.visible() : static_cast<GLuint>(box.visible() > 0);
+    }
+
+  private:
+    GLenum target_;
+};
+
+template <typename Function>
+Function function_of_gl(const char* name) {
+    return reinterpret_cast<Function>(eglGetProcAddress(name));
+}
+
+class NvAsker : public Asker {
+  public:
+    void make_names(GLsizei count, GLuint* names) override { gen_(count, names); }
+    void delete_names(GLsizei count, const GLuint* names) override { delete_(count, names); }
+    void ask(GLuint name, const Box& box) override {
+        begin_(name);
+        draw_box(box);
+        end_();
+    }
+    GLuint answer(GLuint name) override {
+        GLuint result = 0;
+        get_(name, GL_PIXEL_COUNT_NV, &result);
+        return result;
+    }
+
+  private:
+    PFNGLGENOCCLUSIONQUERIESNVPROC gen_ =
+        function_of_gl<PFNGLGENOCCLUSIONQUERIESNVPROC>("glGenOcclusionQueriesNV");
+    PFNGLDELETEOCCLUSIONQUERIESNVPROC delete_ =
+        function_of_gl<PFNGLDELETEOCCLUSIONQUERIESNVPROC>("glDeleteOcclusionQueriesNV");
+    PFNGLBEGINOCCLUSIONQUERYNVPROC begin_ =
+        function_of_gl<PFNGLBEGINOCCLUSIONQUERYNVPROC>("glBeginOcclusionQueryNV");
+    PFNGLENDOCCLUSIONQUERYNVPROC end_ = function_of_gl<PFNGLENDOCCLUSIONQUERYNVPROC>("glEndOcclusionQueryNV");
+    PFNGLGETOCCLUSIONQUERYUIVNVPROC get_ =
+        function_of_gl<PFNGLGETOCCLUSIONQUERYUIVNVPROC>("glGetOcclusionQueryuivNV");
+};
+
+class HpAsker : public Asker {
+  public:
+    bool can_batch() const override { return false; }
+    void make_names(GLsizei, GLuint*) override {}
+    void delete_names(GLsizei, const GLuint*) override {}
+    void ask(GLuint, const Box& box) override {
+        glEnable(GL_OCCLUSION_TEST_HP);
+        draw_box(box);
+        glDisable(GL_OCCLUSION_TEST_HP);
+    }
+    GLuint answer(GLuint) override {
+        GLboolean result = 0xAA;
+        glGetBooleanv(GL_OCCLUSION_TEST_RESULT_HP, &result);
+        return result;
+    }
+    GLuint expected(const Box& box) const override { return static_cast<GLuint>(box.visible() > 0); }
+};
+
+std::unique_ptr<Asker> asker;
+
+bool choose_asker(const std::string& kind) {
+    if (kind == "samples") asker = std::make_unique<CoreAsker>(GL_SAMPLES_PASSED);
+    if (kind == "any") asker = std::make_unique<CoreAsker>(GL_ANY_SAMPLES_PASSED);
+    if (kind == "nv") asker = std::make_unique<NvAsker>();
+    if (kind == "hp") asker = std::make_unique<HpAsker>();
+    return asker != nullptr;
 }
 
 void read(GLuint name, const Box& box) {
-    GLuint samples = 0;
-    glGetQueryObjectuiv(name, GL_QUERY_RESULT, &samples);
-    if (samples == box.visible()) return;
-    std::fprintf(stderr, "query_cost: %u samples of a box of %d x %d with %d columns hidden, expected %u\n",
-                 samples, box.side, box.side, box.hidden, box.visible());
+    const GLuint result = asker->answer(name);
+    if (result == asker->expected(box)) return;
+    std::fprintf(stderr, "query_cost: result %u of a box of %d x %d with %d columns hidden, expected %u\n",
+                 result, box.side, box.side, box.hidden, asker->expected(box));
     std::exit(1);
 }
 
@@ -89,26 +179,28 @@ void label(benchmark::State& state, const Box& box, int queries) {
 void alone(benchmark::State& state) {
     const Box box = box_of(state);
     GLuint name = 0;
-    glGenQueries(1, &name);
+    asker->make_names(1, &name);
+    asker->ask(name, {box.side, box.side});
+    read(name, {box.side, box.side});  // a box that is wholly hidden: the answer is not always the same
     for (auto _ : state) {
-        query(name, box);
+        asker->ask(name, box);
         read(name, box);
     }
     label(state, box, 1);
-    glDeleteQueries(1, &name);
+    asker->delete_names(1, &name);
 }
 
 // All queries first, then all results, as a culler that batches them.
 void batched(benchmark::State& state) {
     const Box box = box_of(state);
     std::array<GLuint, kBatch> names{};
-    glGenQueries(kBatch, names.data());
+    asker->make_names(kBatch, names.data());
     for (auto _ : state) {
-        for (const GLuint name : names) query(name, box);
+        for (const GLuint name : names) asker->ask(name, box);
         for (const GLuint name : names) read(name, box);
     }
     label(state, box, kBatch);
-    glDeleteQueries(kBatch, names.data());
+    asker->delete_names(kBatch, names.data());
 }
 
 // Side in pixels, visible share in percent: 8,100 and 126,736 pixels, as the design's table of ways to count.
@@ -118,13 +210,16 @@ void sizes(benchmark::internal::Benchmark* benchmark) {
         for (const int visible_percent : {50, 100}) benchmark->Args({side, visible_percent});
     }
 }
-BENCHMARK(alone)->Apply(sizes);
-BENCHMARK(batched)->Apply(sizes);
-
 }  // namespace
 
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
+    if (argc != 2 || !choose_asker(argv[1])) {
+        std::fprintf(stderr, "usage: query_cost samples|any|nv|hp [options of Google Benchmark]\n");
+        return 2;
+    }
+    sizes(benchmark::RegisterBenchmark("alone", alone));
+    if (asker->can_batch()) sizes(benchmark::RegisterBenchmark("batched", batched));
     benchmarks::make_pbuffer_context(kWidth, kHeight);
     set_up();
     benchmark::AddCustomContext("renderer", reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
