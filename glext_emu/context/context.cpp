@@ -25,23 +25,25 @@ void Context::update_hot() {
     if (pending_error != GL_NO_ERROR) hot |= kHotError;
     if (slot.wants_segment()) hot |= kHotDraw;
     if (follows_text && (slot.app_query != 0 || slot.open_segment != 0)) hot |= kHotDraw;
-    if (recording.name != 0) hot |= kHotGet;                     // LIST_INDEX
-    if (recording.name != 0 && follows_text) hot |= kHotEnable;  // MULTISAMPLE
+    if (recording.name != 0) hot |= kHotGet;                                  // LIST_INDEX
+    if (recording.name != 0 && follows_text) hot |= kHotEnable | kHotAttrib;  // MULTISAMPLE
     if (current.context == this) current.hot = hot;
 }
 
 void Context::raise(GLenum code) {
     if (kind.is_no_error) return;
-    if (pending_error == GL_NO_ERROR) {
-        const GLenum earlier = real->glGetError();
-        pending_error = earlier != GL_NO_ERROR ? earlier : code;
-    }
+    keep_error();
+    if (pending_error == GL_NO_ERROR) pending_error = code;
     update_hot();
 }
 
+void Context::keep_error() {
+    const GLenum error = real->glGetError();
+    if (pending_error == GL_NO_ERROR) pending_error = error;
+}
+
 OwnCalls::OwnCalls(Context& ctx) : ctx_(ctx) {
-    if (ctx_.own_calls++ == 0 && ctx_.pending_error == GL_NO_ERROR)
-        ctx_.pending_error = ctx_.real->glGetError();
+    if (ctx_.own_calls++ == 0) ctx_.keep_error();
 }
 
 OwnCalls::~OwnCalls() {

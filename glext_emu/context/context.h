@@ -52,6 +52,9 @@ struct Context {
     void update_hot();
     // A GL error of the layer's own, after whatever error the driver already holds: the first one sticks.
     void raise(GLenum code);
+    // Takes the driver's error, so that the next one is that of the calls to come; it sticks if it is the
+    // first.
+    void keep_error();
 
     const char* platform;  // "glx" or "egl"
     const RealGl* real;    // the driver below; `ctx.real->` marks every contact with it
@@ -85,7 +88,7 @@ struct Context {
 // Makes a call of the driver's in the program's name; true where it raised no error.
 template <class Call>
 bool driver_accepts(Context& ctx, Call call) {
-    if (ctx.pending_error == GL_NO_ERROR) ctx.pending_error = ctx.real->glGetError();
+    ctx.keep_error();
     call();
     const GLenum error = ctx.real->glGetError();
     if (error != GL_NO_ERROR && ctx.pending_error == GL_NO_ERROR) ctx.pending_error = error;

@@ -105,11 +105,11 @@ std::uint32_t always_hot(const Context& ctx) {
     if (!wanted.report_path.empty()) hot |= kCounting;
     if (ctx.emulates_test) hot |= kHotEnable | kHotAttrib | kHotGet;
     if (ctx.follows_text) hot |= kHotImmediate | kHotList | kHotQuery;
-    if (ctx.emulates_nv_query) hot |= kHotNvquery;
-    if (ctx.emulates_nvx_render) hot |= kHotNvxrender;
     if (ctx.clock.delays()) hot |= kHotImmediate | kHotList | kHotQuery | kHotSync;
     if (ctx.advertised->version_differs || ctx.advertised->extensions_differ) hot |= kHotString | kHotGet;
-    if (ctx.clock.counts_calls()) hot |= kHotAll;
+    if (ctx.clock.counts_calls()) hot |= kHotAll & ~(kHotNvquery | kHotNvxrender);
+    if (ctx.emulates_nv_query) hot |= kHotNvquery;
+    if (ctx.emulates_nvx_render) hot |= kHotNvxrender;
     return hot;
 }
 

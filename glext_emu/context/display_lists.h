@@ -49,8 +49,14 @@ struct ListRecording {
     GLuint segment = 0;  // the driver's list that is open now
     ListRecipe steps;
     BeginEnd begin_end = BeginEnd::kUnchanged;  // what the open segment does so far
+    bool switches_multisample = false;          // the list so far
     bool is_suspended = false;  // our own work is under way: commands are executed, not compiled
 
+    // True for a list that was never defined: its first part has its name, and to the program it does not
+    // exist.
+    bool is_making(GLuint list) const {
+        return list != 0 && list == name && (steps.empty() ? segment : steps.front().real_list) == name;
+    }
     bool is_open() const { return name != 0 && !is_suspended; }
     // True while commands are compiled and not executed.
     bool only_compiles() const { return is_open() && mode == GL_COMPILE; }

@@ -55,17 +55,11 @@ void draw_collected_vertices(Context& ctx) {
     if (ctx.kind.is_compatibility()) ctx.real->glIsList(0);
 }
 
-}  // namespace
-
-void begin_conditional_render(Context& ctx, GLuint id, GLenum mode) {
-    if (ctx.inside_begin_end) return ctx.real->glBeginConditionalRender(id, mode);
-    if (refuses_conditional_render(ctx)) return ctx.raise(GL_INVALID_OPERATION);
-    if (refuses_conditional_mode(ctx, mode)) return ctx.raise(GL_INVALID_ENUM);
+// Begin by whichever extension's command.
+void start(Context& ctx, GLuint id, GLenum mode) {
     if (ctx.recording.is_open() && records_operations(ctx)) {
-        return record(ctx, {[](Context& c, const ListOperation& op) {
-                                begin_conditional_render(c, op.first, op.second);
-                            },
-                            id, mode});
+        return record(ctx,
+                      {[](Context& c, const ListOperation& op) { start(c, op.first, op.second); }, id, mode});
     }
     if (ctx.conditional.query != 0 && !ctx.conditional.is_in_driver) return ctx.raise(GL_INVALID_OPERATION);
     // NV_conditional_render, Errors: INVALID_VALUE "if <id> is not the name of an existing query object"; a
@@ -95,14 +89,24 @@ void begin_conditional_render(Context& ctx, GLuint id, GLenum mode) {
     if (record.earlier != 0) correct(ctx, id, mode);
 }
 
+}  // namespace
+
+void begin_conditional_render(Context& ctx, GLuint id, GLenum mode) {
+    if (ctx.inside_begin_end) return ctx.real->glBeginConditionalRender(id, mode);
+    if (refuses_conditional_render(ctx)) return ctx.raise(GL_INVALID_OPERATION);
+    if (refuses_conditional_mode(ctx, mode)) return ctx.raise(GL_INVALID_ENUM);
+    start(ctx, id, mode);
+}
+
 void begin_conditional_render_nvx(Context& ctx, GLuint id) {
     // NV_conditional_render, Dependencies on NVX_conditional_render.
-    begin_conditional_render(ctx, id, GL_QUERY_WAIT);
+    if (ctx.inside_begin_end) return ctx.real->glBeginConditionalRender(id, GL_QUERY_WAIT);
+    start(ctx, id, GL_QUERY_WAIT);
 }
 
 void end_conditional_render(Context& ctx) {
     if (ctx.inside_begin_end) return ctx.real->glEndConditionalRender();
-    if (refuses_conditional_render(ctx)) return ctx.raise(GL_INVALID_OPERATION);
+    if (refuses_conditional_render(ctx) && !ctx.emulates_nvx_render) return ctx.raise(GL_INVALID_OPERATION);
     if (ctx.recording.is_open() && records_operations(ctx)) {
         return record(ctx, {[](Context& c, const ListOperation&) { end_conditional_render(c); }});
     }

@@ -5,6 +5,7 @@
 #include "features/features.h"
 #include "features/list_recorder.h"
 
+#include <algorithm>
 #include <cstring>
 #include <utility>
 
@@ -86,8 +87,9 @@ void play(Context& ctx, GLuint real_list, BeginEnd begin_end) {
 void execute(Context& ctx, GLuint list) {
     const Known known = look_up(ctx, list);
     if (known.recipe == nullptr) {
-        // To the program, a name of the layer's is a list that does not exist.
-        if (!known.is_hidden) play(ctx, list, known.begin_end);
+        // To the program, a name of the layer's is a list that does not exist; one in the making does not
+        // yet.
+        if (!known.is_hidden && !ctx.recording.is_making(list)) play(ctx, list, known.begin_end);
         return;
     }
     if (nesting == kDeepestNesting) return;
@@ -261,6 +263,9 @@ void delete_lists(Context& ctx, GLuint list, GLsizei range) {
              ++h) {
             kept.push_back(*h);
         }
+        const GLuint made = ctx.recording.name;
+        if (made >= list && made <= last && ctx.recording.is_making(made)) kept.push_back(made);
+        std::ranges::sort(kept);
     }
     // What lies between the layer's own lists.
     for (const GLuint hidden : kept) {

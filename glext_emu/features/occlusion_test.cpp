@@ -30,6 +30,7 @@ void enable(Context& ctx, GLenum cap) {
     // is.
     if (!is_recorded(ctx, cap) || ctx.inside_begin_end) return ctx.real->glEnable(cap);
     if (ctx.recording.is_open()) {
+        ctx.recording.switches_multisample |= cap == GL_MULTISAMPLE;
         return record(ctx, {[](Context& c, const ListOperation& op) { enable(c, op.first); }, cap});
     }
 
@@ -40,6 +41,7 @@ void enable(Context& ctx, GLenum cap) {
 void disable(Context& ctx, GLenum cap) {
     if (!is_recorded(ctx, cap) || ctx.inside_begin_end) return ctx.real->glDisable(cap);
     if (ctx.recording.is_open()) {
+        ctx.recording.switches_multisample |= cap == GL_MULTISAMPLE;
         return record(ctx, {[](Context& c, const ListOperation& op) { disable(c, op.first); }, cap});
     }
 
@@ -68,7 +70,8 @@ void push_attrib(Context& ctx, GLbitfield mask) {
 }
 
 void pop_attrib(Context& ctx) {
-    if (ctx.inside_begin_end || !ctx.emulates_test) return ctx.real->glPopAttrib();
+    const bool may_switch = ctx.emulates_test || ctx.recording.switches_multisample;
+    if (ctx.inside_begin_end || !may_switch) return ctx.real->glPopAttrib();
     if (ctx.recording.is_open()) {
         return record(ctx, {[](Context& c, const ListOperation&) { pop_attrib(c); }});
     }

@@ -45,6 +45,7 @@ void gen_queries(Context& ctx, GLsizei n, GLuint* ids) {
 }
 
 void create_queries(Context& ctx, GLenum target, GLsizei n, GLuint* ids) {
+    if (ctx.inside_begin_end) return ctx.real->glCreateQueries(target, n, ids);
     if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
     if (!ctx.follows_text || !is_occlusion_target(target)) return ctx.real->glCreateQueries(target, n, ids);
     const GLenum real = real_target(ctx, target);

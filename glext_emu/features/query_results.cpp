@@ -88,6 +88,7 @@ template <class T>
 void get_query_object(Context& ctx, GLuint id, GLenum pname, T* params, void (*real)(GLuint, GLenum, T*)) {
     if (ctx.inside_begin_end) return real(id, pname, params);
     if (pname == GL_QUERY_RESULT_NO_WAIT && refuses_query_buffers(ctx)) return ctx.raise(GL_INVALID_ENUM);
+    if (pname == GL_QUERY_RESULT_NO_WAIT && !ctx.kind.has_query_buffer) return real(id, pname, params);
     // Name zero raises what a name of nobody's raises.
     if (ctx.slot.is_hidden(id) || ctx.slot.is_doomed(id)) return real(0, pname, params);
     const auto found = ctx.slot.records.find(id);

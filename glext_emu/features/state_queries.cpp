@@ -30,11 +30,12 @@ struct Answer {
 
 Answer answer(Context& ctx, GLenum pname) {
     // GL 4.6 compatibility, 10.7.5: between Begin and End a Get is in error, which the driver raises.
-    if (ctx.emulates_test && !ctx.inside_begin_end) {
+    if (ctx.inside_begin_end) return {};
+    if (ctx.emulates_test) {
         if (pname == GL_OCCLUSION_TEST_HP) return {Answer::kOwn, ctx.slot.test_enabled};
         if (pname == GL_OCCLUSION_TEST_RESULT_HP) return {Answer::kOwn, read_test_result(ctx)};
     }
-    if (ctx.emulates_nv_query && !ctx.inside_begin_end) {
+    if (ctx.emulates_nv_query) {
         if (pname == GL_PIXEL_COUNTER_BITS_NV) return {Answer::kOwn, counter_bits(ctx)};
         if (pname == GL_CURRENT_OCCLUSION_QUERY_ID_NV) {
             return {Answer::kOwn, ctx.slot.counts_samples() ? static_cast<GLint>(ctx.slot.app_query) : 0};
