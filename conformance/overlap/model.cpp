@@ -106,8 +106,8 @@ GLenum Model::read_result(const Way&, GLuint name) {
 }
 
 GLenum Model::remove(const Way& way, GLuint name) {
-    // NV, Errors: no name goes while a query is active. GL 3.0 has no such error of DeleteQueries.
-    if (slot_ != 0 && way.target == 0) return GL_INVALID_OPERATION;
+    // NV, Errors, and ARB 4.1.6A: no name goes while a query is active. GL 3.0 dropped that of DeleteQueries.
+    if (slot_ != 0 && (names_are_fixed_ || way.target == 0)) return GL_INVALID_OPERATION;
     objects_.erase(name);
     return GL_NO_ERROR;
 }

@@ -43,6 +43,9 @@ std::string describe(const Command& command);
 
 class Model {
   public:
+    // <names_are_fixed>: GL below 3.0 refuses to delete names while a query is active.
+    explicit Model(bool names_are_fixed = false) : names_are_fixed_(names_are_fixed) {}
+
     // What a command that returns something returns; kUntouched where it is in error.
     GLuint returned = kUntouched;
 
@@ -68,6 +71,7 @@ class Model {
     GLenum condition(GLuint name);
     GLenum call(GLuint list);
 
+    bool names_are_fixed_;
     std::uint64_t counter_ = 0;  // HP's result is TRUE when it is not zero
     bool enabled_ = false;
     std::vector<bool> stack_;

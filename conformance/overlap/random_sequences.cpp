@@ -21,9 +21,7 @@ class RandomSequences : public HpTest, public ::testing::WithParamInterface<unsi
             if (!way.missing()) ways_.push_back(way);
         }
         if (ways_.empty()) GTEST_SKIP() << "needs a query";
-        // Deleting names and the like are refused below GL 3.0 where the model allows them; NV has its own
-        // text.
-        if (lacks(30) && ways_.front().target != 0) GTEST_SKIP() << "needs GL 3.0 or NV alone";
+        model_ = Model(lacks(30).has_value());
         has_blocks_ = !lacks(30);
         random_.seed(GetParam());
     }
