@@ -49,6 +49,7 @@ struct ListRecording {
     GLuint segment = 0;  // the driver's list that is open now
     ListRecipe steps;
     BeginEnd begin_end = BeginEnd::kUnchanged;  // what the open segment does so far
+    bool was_list = false;                      // <name>, before it was compiled
     bool switches_multisample = false;          // the list so far
     bool is_suspended = false;  // our own work is under way: commands are executed, not compiled
 

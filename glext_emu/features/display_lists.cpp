@@ -187,7 +187,8 @@ void new_list(Context& ctx, GLuint list, GLenum mode) {
                              ctx.recording.name == 0 && !ctx.inside_begin_end;
     if (!is_accepted) return ctx.real->glNewList(list, mode);
 
-    ctx.recording = {.name = list, .mode = mode, .segment = list, .steps = {}};
+    const bool was_list = is_list(ctx, list) != GL_FALSE;
+    ctx.recording = {.name = list, .mode = mode, .segment = list, .steps = {}, .was_list = was_list};
     // A name that the layer uses is compiled elsewhere; so is an old list of the program's, which stands
     // until EndList.
     if (records_operations(ctx) && (is_hidden(ctx, list) || is_defined(ctx, list))) {
@@ -278,6 +279,7 @@ void delete_lists(Context& ctx, GLuint list, GLsizei range) {
 
 GLboolean is_list(Context& ctx, GLuint list) {
     if (ctx.inside_begin_end) return ctx.real->glIsList(list);
+    if (ctx.recording.is_making(list)) return ctx.recording.was_list ? GL_TRUE : GL_FALSE;
     if (recipe_of(ctx, list) != nullptr) return GL_TRUE;
     return is_hidden(ctx, list) ? GL_FALSE : ctx.real->glIsList(list);
 }
