@@ -5,12 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <functional>
 #include <random>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "thread_context.h"
 
@@ -188,6 +190,45 @@ TEST(queries_in_threads, after_a_context_that_ended_inside_a_query_the_next_one_
         if (round % 2 == 0) context.destroy();  // while it is current
         ThreadContext::release();
     }
+}
+
+void compile_query(GLuint list, GLuint query, int side) {
+    glNewList(list, GL_COMPILE);
+    glBeginQuery(GL_SAMPLES_PASSED, query);
+    draw_pixels(side, side, 0.0F);
+    glEndQuery(GL_SAMPLES_PASSED);
+    glEndList();
+}
+
+// A list is the old one until EndList, then the new one: never part of either.
+TEST(queries_in_threads, a_list_replaced_while_others_call_it_is_the_old_or_the_new_one) {
+    constexpr GLuint kQuery = 1;  // the first name of every context
+    const ThreadContext first;
+    first.make_current();
+    const GLuint list = glGenLists(1);
+    compile_query(list, kQuery, 8);
+    std::atomic<bool> is_over = false;
+    std::array<int, 3> wrong;
+    wrong.fill(-1);
+    std::vector<std::thread> threads;
+    for (std::size_t index = 0; index < wrong.size(); ++index) {
+        threads.emplace_back([&, index] {
+            const ThreadContext context(&first);
+            context.make_current();
+            wrong[index] = new_query() == kQuery ? 0 : 1;
+            while (!is_over) {
+                glCallList(list);
+                const GLuint samples = wait_for(kQuery).samples;
+                if (samples != 8 * 8 && samples != 3 * 3) ++wrong[index];
+            }
+            ThreadContext::release();
+        });
+    }
+    for (int round = 0; round < 1000; ++round) compile_query(list, kQuery, round % 2 == 0 ? 3 : 8);
+    is_over = true;
+    for (std::thread& thread : threads) thread.join();
+    ThreadContext::release();
+    EXPECT_EQ(wrong, (std::array<int, 3>{}));
 }
 
 }  // namespace
