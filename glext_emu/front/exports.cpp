@@ -5,6 +5,7 @@
 #include <elf.h>
 #include <link.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <mutex>
@@ -40,15 +41,25 @@ const char* make_current_name(Platform platform) {
     return kNames[static_cast<std::size_t>(platform)];
 }
 
+constexpr std::array<std::string_view, 4> kGetProcAddresses = {"glXGetProcAddressARB", "glXGetProcAddress",
+                                                               "eglGetProcAddress", "OSMesaGetProcAddress"};
+
 bool is_get_proc_address(std::string_view name) {
-    return name == "glXGetProcAddress" || name == "glXGetProcAddressARB" || name == "eglGetProcAddress" ||
-           name == "OSMesaGetProcAddress";
+    return std::ranges::find(kGetProcAddresses, name) != kGetProcAddresses.end();
+}
+
+// Of a window-system function.
+Platform platform_of(std::string_view name) {
+    if (name.starts_with("glX")) return Platform::kGlx;
+    return name.starts_with("egl") ? Platform::kEgl : Platform::kOsmesa;
 }
 
 // A library that is loaded already; not unloaded while this lives.
 class LoadedLibrary {
   public:
-    explicit LoadedLibrary(const char* path) : handle_(next_dlopen(path, RTLD_LAZY | RTLD_NOLOAD)) {}
+    explicit LoadedLibrary(const char* path) : handle_(next_dlopen(path, RTLD_LAZY | RTLD_NOLOAD)) {
+        if (handle_ == nullptr) dlerror();  // the program asks for errors of its own only
+    }
     ~LoadedLibrary() {
         if (handle_ != nullptr) dlclose(handle_);
     }
@@ -125,9 +136,10 @@ int driver_with(void* make_current, Platform platform) {
     Library& library = library_at(driver);
     library.path = strdup(object_of(make_current).dli_fname);
     const LoadedLibrary loaded(library.path);
-    for (const char* name : {"glXGetProcAddressARB", "eglGetProcAddress", "OSMesaGetProcAddress"}) {
-        if (name[0] != make_current_name(platform)[0] || name[1] != make_current_name(platform)[1]) continue;
-        library.get_proc_address = reinterpret_cast<GetProcAddress>(loaded.find(name));
+    library.get_proc_address = nullptr;
+    for (const std::string_view name : kGetProcAddresses) {
+        if (library.get_proc_address != nullptr || platform_of(name) != platform) continue;
+        library.get_proc_address = reinterpret_cast<GetProcAddress>(loaded.find(name.data()));
     }
     take_driver(driver, kOwn[static_cast<std::size_t>(driver)]);
     return driver;
@@ -139,7 +151,7 @@ void* hook(int driver, const char* name, void* real) {
     return winsys_hook(driver, name, real);
 }
 
-// The first of the loaded libraries that has <name> itself. Slow: for what only a plugin's own scope has.
+// The first of the loaded libraries that has <name> itself: for what only a plugin's own scope has.
 std::string library_with(const char* name) {
     std::vector<std::string> paths;
     dl_iterate_phdr(
@@ -149,9 +161,14 @@ std::string library_with(const char* name) {
             return 0;
         },
         &paths);
+    // The one that had it before, first: the others take a while, and a program swaps often.
+    thread_local const char* last = nullptr;
+    if (last != nullptr) paths.insert(paths.begin(), last);
     for (const std::string& path : paths) {
         void* const found = LoadedLibrary(path.c_str()).find(name);
-        if (found != nullptr && object_of(found).dli_fname == path) return path;
+        if (found == nullptr || object_of(found).dli_fname != path) continue;
+        if (last == nullptr || path != last) last = strdup(path.c_str());  // leaked on purpose
+        return path;
     }
     return "";
 }
@@ -215,9 +232,7 @@ void* exported_symbol(void* library, const char* name, const void* caller) {
     if (own == nullptr || is_ours(own) || !is_function(own) || is_gl_library(caller)) return nullptr;
     if (settings().steps_aside()) return nullptr;
     if (is_gl) return gl_hook->wrapper;
-    const Platform platform = view.starts_with("glX")   ? Platform::kGlx
-                              : view.starts_with("egl") ? Platform::kEgl
-                                                        : Platform::kOsmesa;
+    const Platform platform = platform_of(view);
     void* const make_current = libc_dlsym(library, make_current_name(platform));
     if (make_current == nullptr) dlerror();
     // Another interposer's function, where there is one, stands between ours and the library's.

@@ -10,12 +10,21 @@
 static void* winsys_handle;
 static void* gl_handle;
 
+// As the manual of dlsym wants it: null may be a symbol's value, so it is dlerror that tells.
+static inline Function find_symbol(void* handle, const char* name) {
+    dlerror();
+    void* symbol = dlsym(handle, name);
+    const char* error = dlerror();
+    if (symbol && error) exit(failed(error));
+    return as_function(symbol);
+}
+
 static inline Function find_winsys_symbol(const char* name) {
-    return as_function(dlsym(winsys_handle, name));
+    return find_symbol(winsys_handle, name);
 }
 
 static inline Function find_gl_symbol(const char* name) {
-    return as_function(dlsym(gl_handle, name));
+    return find_symbol(gl_handle, name);
 }
 
 static inline void* open_or_exit(const char* library, int mode) {
