@@ -74,6 +74,11 @@ TEST_F(NamesInUse, deleting_the_active_object_leaves_it_active_until_its_end) {
     const Query other;
     other.begin();
     EXPECT_TRUE(error_is(GL_INVALID_OPERATION)) << "the deleted object is active still";
+    if (!lacks(33, "GL_ARB_timer_query")) {
+        glBeginQuery(GL_TIME_ELAPSED, name);
+        EXPECT_TRUE(error_is(GL_INVALID_OPERATION)) << "the name is taken until the end";
+        EXPECT_EQ(current_query(GL_TIME_ELAPSED), 0);
+    }
     glEndQuery(GL_SAMPLES_PASSED);
     EXPECT_TRUE(no_error());
     EXPECT_EQ(current_query(GL_SAMPLES_PASSED), 0);

@@ -31,7 +31,7 @@ class RandomSequences : public HpTest, public ::testing::WithParamInterface<unsi
 
     Command any_command() {
         const GLuint name = below(8) == 0 ? 0 : 1 + below(kNames);
-        switch (below(20)) {
+        switch (below(22)) {
             case 0:
             case 1:
             case 2:
@@ -50,7 +50,8 @@ class RandomSequences : public HpTest, public ::testing::WithParamInterface<unsi
             case 10:
                 return {Verb::kPop};
             case 11:
-                return {Verb::kReadFlag, kWays[0], below(5)};
+            case 18:
+                return {Verb::kReadFlag, kWays[0], below(2)};
             case 12:
             case 13:
                 return {Verb::kReadResult, any_way(), name};

@@ -30,6 +30,21 @@ TEST_P(OverlapState, tests_and_queries_of_two_contexts_do_not_mix) {
     EXPECT_TRUE(read_result());
 }
 
+// MIX-06, MIX-23. Only Begin and a read reset HP's result: not the end of the object that it was counted in.
+TEST_P(OverlapState, deleting_the_query_does_not_take_the_result_along) {
+    GLuint name = 0;
+    {
+        const AnyQuery query(way());
+        name = query.name();
+        query.begin();
+        draw_columns(8);
+        query.end();
+    }
+    EXPECT_FALSE(is_query(way(), name));
+    EXPECT_TRUE(read_result());
+    EXPECT_FALSE(read_result());
+}
+
 // MIX-23. The application's query shows as active and counts, whatever HP does meanwhile; no query of the
 // implementation's own shows.
 TEST_P(OverlapState, the_applications_query_looks_as_it_does_without_the_test) {
