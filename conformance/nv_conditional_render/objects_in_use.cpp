@@ -12,6 +12,10 @@ namespace {
 
 class QueryInUse : public ConditionalTest {};
 
+// Apart, because what Mesa 22.3 does is beyond a test: it goes on with freed memory, and draws, discards,
+// hangs or crashes.
+class DeletedQuery : public ConditionalTest {};
+
 // COND-10. 2.X forbids to begin the query in use only.
 TEST_F(QueryInUse, another_query_runs_inside_the_block_and_counts_what_is_drawn) {
     const Query inner;
@@ -58,10 +62,17 @@ TEST_F(QueryInUse, another_query_may_span_either_end_of_the_block) {
 
 // COND-11. GL 4.5, 5.1.3: of an object in use only the name goes at once; the texts say no more. Decided: the
 // result that the block began with goes on to decide.
-TEST_F(QueryInUse, deleting_the_query_does_not_end_the_block) {
+TEST_F(DeletedQuery, the_block_goes_on_by_the_result_that_it_began_with) {
     for (const auto outcome : {Answered::kHidden, Answered::kVisible}) {
         const bool visible = outcome == Answered::kVisible;
         clear();
+        // Many are deleted with it, and many made after it: whatever memory the object had is used again, by
+        // queries of nothing.
+        std::array<std::optional<Query>, 50> others;
+        const auto make_others = [&] {
+            for (auto& other : others) other.emplace().count([] {});
+        };
+        make_others();
         {
             const Query query;
             query.begin();
@@ -69,10 +80,9 @@ TEST_F(QueryInUse, deleting_the_query_does_not_end_the_block) {
             query.end();
             clear();
             glBeginConditionalRender(query.name(), GL_QUERY_WAIT);
+            for (auto& other : others) other.reset();
         }
-        // Whatever memory the object had is used again, by queries of the other outcome.
-        std::array<std::optional<Query>, 20> others;
-        for (auto& other : others) other.emplace().count([] {});
+        make_others();
         draw_rect(kWhole, kNear);
         EXPECT_EQ(drawn_pixels(), visible ? kWhole.area() : 0);
         glEndConditionalRender();
