@@ -29,6 +29,7 @@ using conformance::Query;
 constexpr unsigned kChildSeconds = 60;  // of wall time; a hundred times what the longest latency takes
 constexpr std::uint64_t kPollsPerFrame =
     1000;  // "under frames 1,000 x N polls without a swap make a result due"
+constexpr GLuint64 kPatience = 10'000'000'000;  // nanoseconds
 constexpr GLuint kPoison = 0xABABABAB;
 
 struct Clock {
@@ -50,6 +51,7 @@ class Machine {
         nv_.generate(1, &nv_query_);
     }
     ~Machine() {
+        if (fence_) glDeleteSync(fence_);
         glDeleteBuffers(1, &buffer_);
         nv_.remove(1, &nv_query_);
     }
@@ -69,6 +71,21 @@ class Machine {
     void ask_nv() const {
         nv_.begin(nv_query_);
         nv_.end();
+    }
+
+    void ask_with_fence() {
+        ask();
+        if (fence_) glDeleteSync(fence_);
+        fence_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    }
+    bool is_signalled() const {
+        GLint status = GL_UNSIGNALED;
+        glGetSynciv(fence_, GL_SYNC_STATUS, 1, nullptr, &status);
+        return status == GL_SIGNALED;
+    }
+    bool waits_for_fence(GLuint64 nanoseconds) const {
+        const GLenum answer = glClientWaitSync(fence_, GL_SYNC_FLUSH_COMMANDS_BIT, nanoseconds);
+        return answer == GL_CONDITION_SATISFIED || answer == GL_ALREADY_SIGNALED;
     }
 
     GLuint read(GLenum parameter) const {
@@ -119,13 +136,14 @@ class Machine {
     Query query_;
     GLuint nv_query_ = 0;
     GLuint buffer_ = 0;
+    GLsync fence_ = nullptr;
 };
 
 // A way to wait: begins and ends a query, then is asked again and again until it says that the result was
 // there.
 struct Poll {
     const char* name;
-    std::function<void(const Machine&)> ask;
+    std::function<void(Machine&)> ask;
     std::function<bool(const Machine&)> is_there;
 };
 
@@ -145,6 +163,9 @@ const std::vector<Poll> kPolls = {
      [](const Machine& m) { return m.write_named(GL_QUERY_RESULT_NO_WAIT) == 0; }},
     {"conditions without wait", &Machine::ask,
      [](const Machine& m) { return m.is_discarded(GL_QUERY_NO_WAIT); }},
+    {"a fence", &Machine::ask_with_fence, [](const Machine& m) { return m.is_signalled(); }},
+    {"a fence without patience", &Machine::ask_with_fence,
+     [](const Machine& m) { return m.waits_for_fence(0); }},
 };
 
 // A way to wait that does not return before the result is there, and says whether it was right.
@@ -156,6 +177,8 @@ const std::vector<Poll> kWaits = {
     {"result into a buffer", &Machine::ask,
      [](const Machine& m) { return m.write_named(GL_QUERY_RESULT) == 0; }},
     {"conditions with wait", &Machine::ask, [](const Machine& m) { return m.is_discarded(GL_QUERY_WAIT); }},
+    {"a fence with patience", &Machine::ask_with_fence,
+     [](const Machine& m) { return m.waits_for_fence(kPatience); }},
     {"finish", &Machine::ask,
      [](const Machine& m) {
          glFinish();
@@ -169,7 +192,7 @@ bool complain(const Clock& clock, const char* name, const std::string& what) {
     return false;
 }
 
-bool polls_end(const Machine& machine, const Clock& clock) {
+bool polls_end(Machine& machine, const Clock& clock) {
     bool is_good = true;
     for (const Poll& poll : kPolls) {
         poll.ask(machine);
@@ -189,7 +212,7 @@ bool polls_end(const Machine& machine, const Clock& clock) {
     return is_good;
 }
 
-bool swaps_end(const Machine& machine, const Clock& clock) {
+bool swaps_end(Machine& machine, const Clock& clock) {
     bool is_good = true;
     for (const Poll& poll : kPolls) {
         machine.swap();  // forgets the polls of before
@@ -203,7 +226,7 @@ bool swaps_end(const Machine& machine, const Clock& clock) {
     return is_good;
 }
 
-bool waits_end(const Machine& machine, const Clock& clock) {
+bool waits_end(Machine& machine, const Clock& clock) {
     bool is_good = true;
     for (const Poll& wait : kWaits) {
         wait.ask(machine);
@@ -218,7 +241,7 @@ bool run_under(const Clock& clock, const std::string& device) {
     setenv("GLEXT_EMU", setting.c_str(), 1);
     alarm(kChildSeconds);
     if (!conformance::open_platform("egl")) return complain(clock, "EGL", "no display");
-    const Machine machine;
+    Machine machine;
     if (!machine.is_complete())
         return complain(clock, "the machine", "lacks queries: the layer is not beneath");
     bool is_good = polls_end(machine, clock);
