@@ -117,6 +117,36 @@ void run_queries(Printer& printer) {
     printer.step("conditional without object", [] { glBeginConditionalRender(4711, GL_QUERY_WAIT); });
 }
 
+// Where Mesa departs from the texts, a machine that passes through departs too.
+void run_departures(Printer& printer) {
+    GLuint names[3] = {};
+    glGenQueries(3, names);
+    printer.step("label without object", [&] { glObjectLabel(GL_QUERY, names[0], -1, "nobody"); });
+    printer.step("conditional, generated only", [&] { glBeginConditionalRender(names[0], GL_QUERY_WAIT); });
+    printer.step("boolean", [&] {
+        glBeginQuery(GL_ANY_SAMPLES_PASSED, names[1]);
+        glEndQuery(GL_ANY_SAMPLES_PASSED);
+    });
+    printer.step("boolean as conservative",
+                 [&] { glBeginQuery(GL_ANY_SAMPLES_PASSED_CONSERVATIVE, names[1]); });
+    printer.step("end of conservative", [] { glEndQuery(GL_ANY_SAMPLES_PASSED_CONSERVATIVE); });
+    printer.step("gen and delete while active", [&] {
+        glBeginQuery(GL_SAMPLES_PASSED, names[2]);
+        GLuint other = 0;
+        glGenQueries(1, &other);
+        glDeleteQueries(1, &other);
+        glEndQuery(GL_SAMPLES_PASSED);
+    });
+    // NV's commands, which a machine that passes through leaves to the driver.
+    printer.step("the commands that are not there", [] {
+        GLuint name = conformance::kUntouched;
+        glGenOcclusionQueriesNV(1, &name);
+        glBeginOcclusionQueryNV(name);
+        glEndOcclusionQueryNV();
+        std::printf("value %u\n", name);
+    });
+}
+
 void run_lists(Printer& printer) {
     const GLuint list = glGenLists(1);
     printer.step("compile", [list] {
@@ -152,6 +182,7 @@ int main(int argc, char** argv) {
         Printer printer;
         run_errors(printer);
         run_queries(printer);
+        run_departures(printer);
         run_lists(printer);
         conformance::Context::release_current();
     }
