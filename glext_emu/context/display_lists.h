@@ -50,7 +50,6 @@ struct ListRecording {
     ListRecipe steps;
     BeginEnd begin_end = BeginEnd::kUnchanged;  // what the open segment does so far
     bool was_list = false;                      // <name>, before it was compiled
-    bool switches_multisample = false;          // the list so far
     bool is_suspended = false;  // our own work is under way: commands are executed, not compiled
 
     // True for a list that was never defined: its first part has its name, and to the program it does not

@@ -30,7 +30,6 @@ void enable(Context& ctx, GLenum cap) {
     // is.
     if (!is_recorded(ctx, cap) || ctx.inside_begin_end) return ctx.real->glEnable(cap);
     if (ctx.recording.is_open()) {
-        ctx.recording.switches_multisample |= cap == GL_MULTISAMPLE;
         return record(ctx, {[](Context& c, const ListOperation& op) { enable(c, op.first); }, cap});
     }
 
@@ -41,7 +40,6 @@ void enable(Context& ctx, GLenum cap) {
 void disable(Context& ctx, GLenum cap) {
     if (!is_recorded(ctx, cap) || ctx.inside_begin_end) return ctx.real->glDisable(cap);
     if (ctx.recording.is_open()) {
-        ctx.recording.switches_multisample |= cap == GL_MULTISAMPLE;
         return record(ctx, {[](Context& c, const ListOperation& op) { disable(c, op.first); }, cap});
     }
 
@@ -70,8 +68,9 @@ void push_attrib(Context& ctx, GLbitfield mask) {
 }
 
 void pop_attrib(Context& ctx) {
-    const bool may_switch = ctx.emulates_test || ctx.recording.switches_multisample;
-    if (ctx.inside_begin_end || !may_switch) return ctx.real->glPopAttrib();
+    // A pop may switch MULTISAMPLE too, which a list has to hold as an operation of the layer's.
+    const bool is_ours = ctx.emulates_test || (ctx.follows_text && ctx.recording.is_open());
+    if (ctx.inside_begin_end || !is_ours) return ctx.real->glPopAttrib();
     if (ctx.recording.is_open()) {
         return record(ctx, {[](Context& c, const ListOperation&) { pop_attrib(c); }});
     }
