@@ -135,16 +135,19 @@ TEST_F(QueryBufferUse, results_of_every_target_are_written) {
                                    GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, GL_TIME_ELAPSED};
     if (!lacks(43, "GL_ARB_ES3_compatibility")) targets.push_back(GL_ANY_SAMPLES_PASSED_CONSERVATIVE);
     if (!lacks(46, "GL_ARB_transform_feedback_overflow_query")) {
-        targets.insert(targets.end(),
-                       {GL_TRANSFORM_FEEDBACK_OVERFLOW, GL_TRANSFORM_FEEDBACK_STREAM_OVERFLOW});
+        for (const GLenum target : {GL_TRANSFORM_FEEDBACK_OVERFLOW, GL_TRANSFORM_FEEDBACK_STREAM_OVERFLOW}) {
+            targets.push_back(target);
+        }
     }
     if (!lacks(46, "GL_ARB_pipeline_statistics_query")) {
-        targets.insert(targets.end(),
-                       {GL_VERTICES_SUBMITTED, GL_PRIMITIVES_SUBMITTED, GL_VERTEX_SHADER_INVOCATIONS,
-                        GL_TESS_CONTROL_SHADER_PATCHES, GL_TESS_EVALUATION_SHADER_INVOCATIONS,
-                        GL_GEOMETRY_SHADER_INVOCATIONS, GL_GEOMETRY_SHADER_PRIMITIVES_EMITTED,
-                        GL_FRAGMENT_SHADER_INVOCATIONS, GL_COMPUTE_SHADER_INVOCATIONS,
-                        GL_CLIPPING_INPUT_PRIMITIVES, GL_CLIPPING_OUTPUT_PRIMITIVES});
+        for (const GLenum target :
+             {GL_VERTICES_SUBMITTED, GL_PRIMITIVES_SUBMITTED, GL_VERTEX_SHADER_INVOCATIONS,
+              GL_TESS_CONTROL_SHADER_PATCHES, GL_TESS_EVALUATION_SHADER_INVOCATIONS,
+              GL_GEOMETRY_SHADER_INVOCATIONS, GL_GEOMETRY_SHADER_PRIMITIVES_EMITTED,
+              GL_FRAGMENT_SHADER_INVOCATIONS, GL_COMPUTE_SHADER_INVOCATIONS, GL_CLIPPING_INPUT_PRIMITIVES,
+              GL_CLIPPING_OUTPUT_PRIMITIVES}) {
+            targets.push_back(target);
+        }
     }
     const auto expect_same = [](GLuint name, GLenum target) {
         for_each_type([&](auto type) {
