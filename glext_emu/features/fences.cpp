@@ -34,11 +34,12 @@ GLsync fence_sync(Context& ctx, GLenum condition, GLbitfield flags) {
 
 GLenum client_wait_sync(Context& ctx, GLsync sync, GLbitfield flags, GLuint64 timeout_ns) {
     const auto due = due_of(ctx, sync);
-    if (due && (timeout_ns != 0 || ctx.clock.reached(*due))) let_driver_finish(ctx, sync);
+    const bool is_due = !due || (timeout_ns == 0 ? ctx.clock.poll(*due) : ctx.clock.reached(*due));
+    if (due && (is_due || timeout_ns != 0)) let_driver_finish(ctx, sync);
     const GLenum answer = ctx.real->glClientWaitSync(sync, flags, timeout_ns);
     const bool is_signalled = answer == GL_ALREADY_SIGNALED || answer == GL_CONDITION_SATISFIED;
-    if (!due || !is_signalled || ctx.clock.reached(*due)) return answer;
-    if (timeout_ns == 0) return ctx.clock.poll(*due) ? answer : GL_TIMEOUT_EXPIRED;
+    if (is_due || !is_signalled) return answer;
+    if (timeout_ns == 0) return GL_TIMEOUT_EXPIRED;
     const StallScope stall(ctx);
     return ctx.clock.wait_for(*due, timeout_ns) ? GL_CONDITION_SATISFIED : GL_TIMEOUT_EXPIRED;
 }
