@@ -11,6 +11,8 @@ thread_local constinit Current current{0, &default_real, nullptr};
 Context& enter() {
     Context& ctx = *current.context;
     ctx.clock.count_call();
+    if (ctx.share_group->has_seen_complete) [[unlikely]]
+        ctx.catch_up();
     return ctx;
 }
 
@@ -40,6 +42,15 @@ void Context::raise(GLenum code) {
 void Context::keep_error() {
     const GLenum error = real->glGetError();
     if (pending_error == GL_NO_ERROR) pending_error = error;
+}
+
+void Context::catch_up() {
+    const std::lock_guard lock(share_group->mutex);
+    const auto seen = share_group->seen_complete.find(number);
+    if (seen == share_group->seen_complete.end()) return;
+    clock.wait_until(seen->second);
+    share_group->seen_complete.erase(seen);
+    share_group->has_seen_complete = !share_group->seen_complete.empty();
 }
 
 OwnCalls::OwnCalls(Context& ctx) : ctx_(ctx) {

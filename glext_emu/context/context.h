@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <unordered_map>
 #include <vector>
 
 #include "context/advertised.h"
@@ -55,6 +54,8 @@ struct Context {
     // Takes the driver's error, so that the next one is that of the calls to come; it sticks if it is the
     // first.
     void keep_error();
+    // Moves a deterministic clock to what another context has seen complete.
+    void catch_up();
 
     const char* platform;  // "glx" or "egl"
     const RealGl* real;    // the driver below; `ctx.real->` marks every contact with it
@@ -80,7 +81,6 @@ struct Context {
     std::vector<SavedEnable> attrib_stack;
     OcclusionSlot slot;
     ConditionalRender conditional;
-    std::unordered_map<GLsync, occlusion_unit::Tick> fences;  // when what ended before them is due
     occlusion_unit::Clock clock;
     FrameCounts frame;
 };

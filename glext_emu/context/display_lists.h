@@ -4,13 +4,17 @@
 #pragma once
 
 #include <GL/gl.h>
+#include <GL/glext.h>
 
+#include <atomic>
 #include <cstddef>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <set>
 #include <vector>
+
+#include "occlusion_unit/clock.h"
 
 namespace glext_emu {
 
@@ -33,9 +37,18 @@ using ListRecipe = std::vector<ListStep>;
 // What playing a list does to a Begin/End pair: most lists leave it as it is.
 enum class BeginEnd { kUnchanged, kOpens, kCloses };
 
+// A fence of the program's, and when what ended before it is due on the clock of the context that made it.
+struct Fence {
+    occlusion_unit::Tick due = 0;
+    int maker = 0;  // Context::number
+};
+
 // What the contexts of a share group have in common.
 struct ShareGroup {
     std::mutex mutex;
+    std::map<GLsync, Fence> fences;                     // while a clock delays
+    std::map<int, occlusion_unit::Tick> seen_complete;  // by other contexts than the maker, which is the key
+    std::atomic<bool> has_seen_complete{false};
     std::map<GLuint, BeginEnd> begin_ends;                        // of the driver's lists that change it
     std::map<GLuint, std::shared_ptr<const ListRecipe>> recipes;  // by the program's name
     std::set<GLuint> defined_lists;  // by the program's EndList, in contexts that record operations
