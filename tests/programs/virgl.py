@@ -3,7 +3,7 @@
 queries which its clients ask for. With the layer beneath the server, piglit as its client has the outcomes that it has
 without, each test and each subtest.
 
-No clock: the server looks for results only where a fence has come, and that may be before they are due.
+The server looks for results only when a fence has come: under a clock, no fence may come before the results are due.
 The client half of Mesa knows one socket only, so one server at a time runs on a machine.
 """
 import contextlib
@@ -78,6 +78,14 @@ class Virgl(unittest.TestCase):
                 self.assertIn(outcome.verdict(), verdicts, outcome.output[-2000:])
         self.assertGreater(queries, len(jobs))
         self.assertIn("spec@arb_occlusion_query@occlusion_query", passed)
+
+    def test_piglits_occlusion_query_passes_however_late_its_results_are(self):
+        job, = run_piglit.read_jobs("fbo", "^spec@arb_occlusion_query@occlusion_query$")
+        for clock in ("wall=2000", "calls=20"):
+            with self.subTest(clock=clock):
+                outcome, its_server = play(job, device="mesa", clock=clock)
+                self.assertEqual(outcome.result, "pass", outcome.output)
+                self.assertGreater(its_server.layers_report().total("queries_begun"), 0)
 
 
 if __name__ == "__main__":
