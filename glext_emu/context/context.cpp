@@ -25,10 +25,15 @@ Context::Context(const char* platform_name, const RealGl* real_gl, std::shared_p
 void Context::update_hot() {
     hot = always_hot;
     if (pending_error != GL_NO_ERROR) hot |= kHotError;
-    if (slot.wants_segment()) hot |= kHotDraw;
-    if (follows_text && (slot.app_query != 0 || slot.open_segment != 0)) hot |= kHotDraw;
+    if (slot.wants_segment()) hot |= kHotDraw | kHotPixels;
+    if (follows_text && slot.counts_samples()) hot |= kHotDraw;
+    if (follows_text && (slot.app_query != 0 || slot.open_segment != 0)) hot |= kHotPixels;
     if (recording.name != 0) hot |= kHotGet;                                  // LIST_INDEX
     if (recording.name != 0 && follows_text) hot |= kHotEnable | kHotAttrib;  // MULTISAMPLE
+    // Where nobody asks for them, Begin and End cost nothing.
+    const bool has_own_lists = recording.name != 0 || share_group->has_own_lists;
+    if ((hot & kHotDraw) != 0 || (records_operations && has_own_lists)) hot |= kHotImmediate;
+    tracks_begin_end = (hot & kHotImmediate) != 0;
     if (current.context == this) current.hot = hot;
 }
 
@@ -42,6 +47,14 @@ void Context::raise(GLenum code) {
 void Context::keep_error() {
     const GLenum error = real->glGetError();
     if (pending_error == GL_NO_ERROR) pending_error = error;
+}
+
+// A Begin may fail for many reasons, and nothing tells but that a Get is answered.
+bool Context::confirm_begin_end() {
+    GLint nesting = -1;
+    real->glGetIntegerv(GL_MAX_LIST_NESTING, &nesting);
+    inside_begin_end = nesting < 0;
+    return inside_begin_end;
 }
 
 void Context::catch_up() {

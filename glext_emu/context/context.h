@@ -39,7 +39,8 @@ struct ContextKind {
     bool is_no_error = false;
     GLint attrib_stack_depth = 0;  // compatibility contexts only
 
-    bool has_64_bit_results = false;
+    bool has_64_bit_results = false;  // GetQueryObjectui64v
+    bool has_named_buffers = false;   // ARB_direct_state_access
 
     bool is_compatibility() const { return !is_es && !is_core_profile; }
 };
@@ -54,8 +55,15 @@ struct Context {
     // Takes the driver's error, so that the next one is that of the calls to come; it sticks if it is the
     // first.
     void keep_error();
+    // True where the driver is between Begin and End. Only for commands that are in error there, since the
+    // driver may note the question as one.
+    bool is_between_begin_and_end() {
+        if (tracks_begin_end) return inside_begin_end && confirm_begin_end();
+        return kind.is_compatibility() && confirm_begin_end();
+    }
     // Moves a deterministic clock to what another context has seen complete.
     void catch_up();
+    bool confirm_begin_end();
 
     const char* platform;  // "glx" or "egl"
     const RealGl* real;    // the driver below; `ctx.real->` marks every contact with it
@@ -70,12 +78,15 @@ struct Context {
     bool emulates_nv_query = false;    // GL_NV_occlusion_query
     bool emulates_nvx_render = false;  // GL_NVX_conditional_render
     bool follows_text = false;  // where the driver departs from it; false on a device that passes through
+    bool records_operations =
+        false;  // lists may hold what the driver must not compile, or the layer has to see
     std::uint32_t always_hot = 0;
 
     std::uint32_t hot = 0;
     GLenum pending_error = GL_NO_ERROR;  // returned by the next GetError, before the driver's
     int own_calls = 0;                   // nested OwnCalls scopes
-    bool inside_begin_end = false;
+    bool tracks_begin_end = false;       // Begin and End come by
+    bool inside_begin_end = false;       // as far as Begin, which may have failed, and End tell
     GLint list_base = 0;  // while inside Begin/End, where it can neither change nor be asked for
     ListRecording recording;
     std::vector<SavedEnable> attrib_stack;

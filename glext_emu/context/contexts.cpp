@@ -82,7 +82,11 @@ ContextKind read_kind(const Context& ctx) {
     if (version == nullptr) version = "";
     kind.is_es = std::strncmp(version, "OpenGL ES", 9) == 0;
     kind.version = parse_version(version);
-    if (kind.is_es) return kind;
+    if (kind.is_es) {
+        kind.is_no_error = kind.version >= GlVersion{3, 2} &&
+                           (get(ctx, GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_NO_ERROR_BIT) != 0;
+        return kind;
+    }
     if (kind.version >= GlVersion{3, 2}) {
         kind.is_core_profile = (get(ctx, GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT) != 0;
     }
@@ -92,6 +96,8 @@ ContextKind read_kind(const Context& ctx) {
         kind.has_any_samples = kind.version >= GlVersion{3, 3} || driver_has(ctx, "GL_ARB_occlusion_query2");
         kind.has_query_buffer =
             kind.version >= GlVersion{4, 4} || driver_has(ctx, "GL_ARB_query_buffer_object");
+        kind.has_named_buffers =
+            kind.version >= GlVersion{4, 5} || driver_has(ctx, "GL_ARB_direct_state_access");
         kind.has_64_bit_results = kind.version >= GlVersion{3, 3} || driver_has(ctx, "GL_ARB_timer_query");
         kind.is_no_error = (get(ctx, GL_CONTEXT_FLAGS) & GL_CONTEXT_FLAG_NO_ERROR_BIT) != 0;
     }
@@ -100,12 +106,14 @@ ContextKind read_kind(const Context& ctx) {
 
 std::uint32_t always_hot(const Context& ctx) {
     const Settings& wanted = settings();
-    constexpr std::uint32_t kCounting = kHotDraw | kHotImmediate | kHotList | kHotQuery;
+    constexpr std::uint32_t kCounting =
+        kHotDraw | kHotPixels | kHotImmediate | kHotCall | kHotList | kHotQuery;
     std::uint32_t hot = 0;
     if (!wanted.report_path.empty()) hot |= kCounting;
     if (ctx.emulates_test) hot |= kHotEnable | kHotAttrib | kHotGet;
-    if (ctx.follows_text) hot |= kHotImmediate | kHotList | kHotQuery;
-    if (ctx.clock.delays()) hot |= kHotImmediate | kHotList | kHotQuery | kHotSync;
+    if (ctx.follows_text) hot |= kHotQuery;
+    if (ctx.clock.delays()) hot |= kHotQuery | kHotSync;
+    if (ctx.records_operations) hot |= kHotCall | kHotList;
     if (ctx.advertised->version_differs || ctx.advertised->extensions_differ) hot |= kHotString | kHotGet;
     if (ctx.clock.counts_calls()) hot |= kHotAll & ~(kHotNvquery | kHotNvxrender);
     if (ctx.emulates_nv_query) hot |= kHotNvquery;
@@ -123,6 +131,7 @@ void initialise(Context& ctx) {
     ctx.emulates_test = ctx.kind.is_compatibility() && device.emulates("GL_HP_occlusion_test");
     ctx.emulates_nv_query = ctx.kind.is_compatibility() && device.emulates("GL_NV_occlusion_query");
     ctx.emulates_nvx_render = ctx.kind.is_compatibility() && device.emulates("GL_NVX_conditional_render");
+    ctx.records_operations = ctx.kind.is_compatibility() && (ctx.follows_text || ctx.clock.delays());
     ctx.always_hot = always_hot(ctx);
     ctx.is_initialised = true;
     Report::instance().begin_context(ctx);

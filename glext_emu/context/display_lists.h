@@ -12,6 +12,7 @@
 #include <memory>
 #include <mutex>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "occlusion_unit/clock.h"
@@ -26,13 +27,29 @@ struct ListOperation {
     GLuint first = 0;
     GLuint second = 0;
     std::vector<std::byte> bytes = {};
+    bool calls_lists = false;  // and so may stand between Begin and End
 };
 
 struct ListStep {
     GLuint real_list = 0;  // 0: the operation
     ListOperation operation{};
 };
-using ListRecipe = std::vector<ListStep>;
+
+struct ShareGroup;
+
+// What a list of the program's is made of. Other threads may still be playing it when it is replaced, so the
+// driver's lists are retired by whoever lets go of it last.
+struct ListRecipe {
+    ListRecipe(ShareGroup& its_group, GLuint its_name, std::vector<ListStep> its_steps)
+        : group(its_group), name(its_name), steps(std::move(its_steps)) {}
+    ~ListRecipe();
+    ListRecipe(const ListRecipe&) = delete;
+    ListRecipe& operator=(const ListRecipe&) = delete;
+
+    ShareGroup& group;
+    GLuint name;
+    std::vector<ListStep> steps;
+};
 
 // What playing a list does to a Begin/End pair: most lists leave it as it is.
 enum class BeginEnd { kUnchanged, kOpens, kCloses };
@@ -49,7 +66,9 @@ struct ShareGroup {
     std::map<GLsync, Fence> fences;                     // while a clock delays
     std::map<int, occlusion_unit::Tick> seen_complete;  // by other contexts than the maker, which is the key
     std::atomic<bool> has_seen_complete{false};
-    std::map<GLuint, BeginEnd> begin_ends;                        // of the driver's lists that change it
+    std::map<GLuint, BeginEnd> begin_ends;   // of the driver's lists that change it
+    std::atomic<bool> has_own_lists{false};  // there is, or was, something in the next five
+    std::vector<GLuint> retired_lists;       // the driver's, of recipes that are gone
     std::map<GLuint, std::shared_ptr<const ListRecipe>> recipes;  // by the program's name
     std::set<GLuint> defined_lists;  // by the program's EndList, in contexts that record operations
     std::set<GLuint> hidden_lists;   // names of the driver's that the program never sees
@@ -60,11 +79,17 @@ struct ListRecording {
     GLuint name = 0;  // 0: none
     GLenum mode = 0;
     GLuint segment = 0;  // the driver's list that is open now
-    ListRecipe steps;
+    std::vector<ListStep> steps;
     BeginEnd begin_end = BeginEnd::kUnchanged;  // what the open segment does so far
     bool was_list = false;                      // <name>, before it was compiled
     bool is_suspended = false;  // our own work is under way: commands are executed, not compiled
 
+    // <change> is compiled.
+    void follow(BeginEnd change) {
+        if (change == BeginEnd::kOpens) begin_end = BeginEnd::kOpens;
+        if (change != BeginEnd::kCloses) return;
+        begin_end = begin_end == BeginEnd::kOpens ? BeginEnd::kUnchanged : BeginEnd::kCloses;
+    }
     // True for a list that was never defined: its first part has its name, and to the program it does not
     // exist.
     bool is_making(GLuint list) const {

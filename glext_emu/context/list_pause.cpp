@@ -5,11 +5,20 @@
 
 namespace glext_emu {
 
+// Never under the group's lock: see end_list and delete_lists.
+ListRecipe::~ListRecipe() {
+    const std::lock_guard lock(group.mutex);
+    for (const ListStep& step : steps) {
+        if (step.real_list != 0 && step.real_list != name) group.retired_lists.push_back(step.real_list);
+    }
+}
+
 GLuint make_hidden_list(Context& ctx) {
     const OwnCalls own(ctx);
     const GLuint list = ctx.real->glGenLists(1);
     const std::lock_guard lock(ctx.share_group->mutex);
     ctx.share_group->hidden_lists.insert(list);
+    ctx.share_group->has_own_lists = true;
     return list;
 }
 
@@ -19,6 +28,7 @@ void note_begin_end(ShareGroup& group, const ListRecording& recording) {
         group.begin_ends.erase(recording.segment);
     } else {
         group.begin_ends[recording.segment] = recording.begin_end;
+        group.has_own_lists = true;
     }
 }
 

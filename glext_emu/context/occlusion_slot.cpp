@@ -27,6 +27,37 @@ void fold_segments(Context& ctx) {
     slot.unread_segments.clear();
 }
 
+// With a query buffer bound, the driver would take a pointer for an offset into it. Binding another for a
+// moment is not the same: where another context has deleted it, its name could not be bound again.
+std::uint64_t value_by_buffer(Context& ctx, GLuint query, GLenum pname) {
+    GLuint scratch = 0;
+    GLuint64 value = 0;
+    ctx.real->glCreateBuffers(1, &scratch);
+    ctx.real->glNamedBufferData(scratch, sizeof value, nullptr, GL_STREAM_READ);
+    ctx.real->glGetQueryBufferObjectui64v(query, scratch, pname, 0);
+    ctx.real->glGetNamedBufferSubData(scratch, 0, sizeof value, &value);
+    ctx.real->glDeleteBuffers(1, &scratch);
+    return value;
+}
+
+std::uint64_t driver_value(Context& ctx, GLuint query, GLenum pname) {
+    const OwnCalls own(ctx);
+    GLint buffer = 0;
+    if (ctx.kind.has_query_buffer) ctx.real->glGetIntegerv(GL_QUERY_BUFFER_BINDING, &buffer);
+    if (buffer != 0 && ctx.kind.has_named_buffers) return value_by_buffer(ctx, query, pname);
+    if (buffer != 0) ctx.real->glBindBuffer(GL_QUERY_BUFFER, 0);
+    GLuint64 value = 0;
+    if (ctx.kind.has_64_bit_results) {
+        ctx.real->glGetQueryObjectui64v(query, pname, &value);
+    } else {
+        GLuint narrow = 0;
+        ctx.real->glGetQueryObjectuiv(query, pname, &narrow);
+        value = narrow;
+    }
+    if (buffer != 0) ctx.real->glBindBuffer(GL_QUERY_BUFFER, static_cast<GLuint>(buffer));
+    return value;
+}
+
 }  // namespace
 
 bool is_occlusion_target(GLenum target) {
@@ -44,21 +75,11 @@ bool has_passed(Context& ctx, GLuint query) {
 }
 
 std::uint64_t driver_count(Context& ctx, GLuint query) {
-    const OwnCalls own(ctx);
-    // With a query buffer bound, the driver would take the pointer for an offset into it.
-    GLint buffer = 0;
-    if (ctx.kind.has_query_buffer) ctx.real->glGetIntegerv(GL_QUERY_BUFFER_BINDING, &buffer);
-    if (buffer != 0) ctx.real->glBindBuffer(GL_QUERY_BUFFER, 0);
-    GLuint64 count = 0;
-    if (ctx.kind.has_64_bit_results) {
-        ctx.real->glGetQueryObjectui64v(query, GL_QUERY_RESULT, &count);
-    } else {
-        GLuint narrow = 0;
-        ctx.real->glGetQueryObjectuiv(query, GL_QUERY_RESULT, &narrow);
-        count = narrow;
-    }
-    if (buffer != 0) ctx.real->glBindBuffer(GL_QUERY_BUFFER, static_cast<GLuint>(buffer));
-    return count;
+    return driver_value(ctx, query, GL_QUERY_RESULT);
+}
+
+bool is_driver_ready(Context& ctx, GLuint query) {
+    return driver_value(ctx, query, GL_QUERY_RESULT_AVAILABLE) != 0;
 }
 
 bool OcclusionSlot::is_hidden(GLuint name) const {

@@ -22,9 +22,9 @@ struct Context;
 // SAMPLES_PASSED, ANY_SAMPLES_PASSED or ANY_SAMPLES_PASSED_CONSERVATIVE: the targets that fill the slot.
 bool is_occlusion_target(GLenum target);
 
-// What the driver has counted in a query that has ended. Waits for the driver, and returns to client memory
-// whatever query buffer is bound.
+// What the driver has counted in a query that has ended; waits for it. And whether it has: does not wait.
 std::uint64_t driver_count(Context& ctx, GLuint query);
+bool is_driver_ready(Context& ctx, GLuint query);
 bool has_passed(Context& ctx, GLuint query);
 
 // The driver's target for one of the program's. Where the text is followed, the two boolean targets are one,

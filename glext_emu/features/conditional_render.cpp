@@ -41,8 +41,7 @@ void correct(Context& ctx, GLuint id, GLenum mode) {
 // A query around nothing: its result is zero, as that of an object that was created and never begun. Mesa
 // draws everything by such an object.
 void count_nothing(Context& ctx, GLuint id, const QueryRecord& record) {
-    if (ctx.slot.app_query != 0) return;
-    close_segment(ctx);
+    const CountPause pause(ctx);
     const OwnCalls own(ctx);
     const GLenum target = real_target(ctx, record.target);
     ctx.real->glBeginQuery(target, id);
@@ -57,7 +56,7 @@ void draw_collected_vertices(Context& ctx) {
 
 // Begin by whichever extension's command.
 void start(Context& ctx, GLuint id, GLenum mode) {
-    if (ctx.recording.is_open() && records_operations(ctx)) {
+    if (ctx.recording.is_open() && ctx.records_operations) {
         return record(ctx,
                       {[](Context& c, const ListOperation& op) { start(c, op.first, op.second); }, id, mode});
     }
@@ -92,7 +91,6 @@ void start(Context& ctx, GLuint id, GLenum mode) {
 }  // namespace
 
 void begin_conditional_render(Context& ctx, GLuint id, GLenum mode) {
-    if (ctx.inside_begin_end) return ctx.real->glBeginConditionalRender(id, mode);
     if (refuses_conditional_render(ctx)) return ctx.raise(GL_INVALID_OPERATION);
     if (refuses_conditional_mode(ctx, mode)) return ctx.raise(GL_INVALID_ENUM);
     start(ctx, id, mode);
@@ -100,14 +98,12 @@ void begin_conditional_render(Context& ctx, GLuint id, GLenum mode) {
 
 void begin_conditional_render_nvx(Context& ctx, GLuint id) {
     // NV_conditional_render, Dependencies on NVX_conditional_render.
-    if (ctx.inside_begin_end) return ctx.real->glBeginConditionalRender(id, GL_QUERY_WAIT);
     start(ctx, id, GL_QUERY_WAIT);
 }
 
 void end_conditional_render(Context& ctx) {
-    if (ctx.inside_begin_end) return ctx.real->glEndConditionalRender();
     if (refuses_conditional_render(ctx) && !ctx.emulates_nvx_render) return ctx.raise(GL_INVALID_OPERATION);
-    if (ctx.recording.is_open() && records_operations(ctx)) {
+    if (ctx.recording.is_open() && ctx.records_operations) {
         return record(ctx, {[](Context& c, const ListOperation&) { end_conditional_render(c); }});
     }
     const bool is_ours_alone = ctx.conditional.query != 0 && !ctx.conditional.is_in_driver;

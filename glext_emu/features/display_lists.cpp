@@ -33,22 +33,19 @@ std::shared_ptr<const ListRecipe> recipe_of(Context& ctx, GLuint list) {
     return found == ctx.share_group->recipes.end() ? nullptr : found->second;
 }
 
-// Forgets the recipe of <list> and frees the driver's lists that it was made of.
-void forget_recipe(Context& ctx, GLuint list) {
-    const auto recipe = recipe_of(ctx, list);
-    if (recipe == nullptr) return;
-    for (const ListStep& step : *recipe) {
-        if (step.real_list == 0 || step.real_list == list) continue;
-        {
-            // First: once it is deleted, the driver may give its name to another thread.
-            const std::lock_guard lock(ctx.share_group->mutex);
-            ctx.share_group->hidden_lists.erase(step.real_list);
-            ctx.share_group->begin_ends.erase(step.real_list);
+// Frees the driver's lists that nobody plays any more.
+void delete_retired(Context& ctx) {
+    std::vector<GLuint> lists;
+    {
+        // First: once one is deleted, the driver may give its name to another thread.
+        const std::lock_guard lock(ctx.share_group->mutex);
+        lists.swap(ctx.share_group->retired_lists);
+        for (const GLuint list : lists) {
+            ctx.share_group->hidden_lists.erase(list);
+            ctx.share_group->begin_ends.erase(list);
         }
-        ctx.real->glDeleteLists(step.real_list, 1);
     }
-    const std::lock_guard lock(ctx.share_group->mutex);
-    ctx.share_group->recipes.erase(list);
+    for (const GLuint list : lists) ctx.real->glDeleteLists(list, 1);
 }
 
 // Draws that are compiled and executed cannot open the test's segment, so it stands open before them.
@@ -81,7 +78,10 @@ void play(Context& ctx, GLuint real_list, BeginEnd begin_end) {
     before_draw(ctx, unknown());
     if (begin_end == BeginEnd::kOpens) remember_list_base(ctx);
     ctx.real->glCallList(real_list);
-    if (begin_end != BeginEnd::kUnchanged) ctx.inside_begin_end = begin_end == BeginEnd::kOpens;
+    if (ctx.recording.is_open()) ctx.recording.follow(begin_end);
+    if (begin_end != BeginEnd::kUnchanged && !ctx.recording.only_compiles()) {
+        ctx.inside_begin_end = begin_end == BeginEnd::kOpens;
+    }
 }
 
 void execute(Context& ctx, GLuint list) {
@@ -94,9 +94,11 @@ void execute(Context& ctx, GLuint list) {
     }
     if (nesting == kDeepestNesting) return;
     ++nesting;
-    for (const ListStep& step : *known.recipe) {
+    for (const ListStep& step : known.recipe->steps) {
         if (step.real_list == 0) {
-            step.operation.run(ctx, step.operation);
+            // Between Begin and End the question has made the error already.
+            const bool is_in_error = !step.operation.calls_lists && ctx.is_between_begin_and_end();
+            if (!is_in_error) step.operation.run(ctx, step.operation);
         } else {
             play(ctx, step.real_list, look_up(ctx, step.real_list).begin_end);
         }
@@ -160,12 +162,8 @@ GLuint offset_at(const std::byte* at, GLenum type) {
 
 }  // namespace
 
-bool records_operations(const Context& ctx) {
-    return ctx.kind.is_compatibility() && (ctx.follows_text || ctx.clock.delays());
-}
-
 void remember_list_base(Context& ctx) {
-    if (!ctx.inside_begin_end && records_operations(ctx))
+    if (!ctx.inside_begin_end && ctx.records_operations)
         ctx.real->glGetIntegerv(GL_LIST_BASE, &ctx.list_base);
 }
 
@@ -184,14 +182,14 @@ void record(Context& ctx, ListOperation operation) {
 void new_list(Context& ctx, GLuint list, GLenum mode) {
     const bool is_accepted = ctx.kind.is_compatibility() && list != 0 &&
                              (mode == GL_COMPILE || mode == GL_COMPILE_AND_EXECUTE) &&
-                             ctx.recording.name == 0 && !ctx.inside_begin_end;
+                             ctx.recording.name == 0;
     if (!is_accepted) return ctx.real->glNewList(list, mode);
 
     const bool was_list = is_list(ctx, list) != GL_FALSE;
     ctx.recording = {.name = list, .mode = mode, .segment = list, .steps = {}, .was_list = was_list};
     // A name that the layer uses is compiled elsewhere; so is an old list of the program's, which stands
     // until EndList.
-    if (records_operations(ctx) && (is_hidden(ctx, list) || is_defined(ctx, list))) {
+    if (ctx.records_operations && (is_hidden(ctx, list) || is_defined(ctx, list))) {
         ctx.recording.segment = make_hidden_list(ctx);
     }
     open_segment_ahead(ctx);
@@ -200,32 +198,46 @@ void new_list(Context& ctx, GLuint list, GLenum mode) {
 }
 
 void end_list(Context& ctx) {
-    if (!ctx.recording.is_open() || ctx.inside_begin_end) return ctx.real->glEndList();
+    if (!ctx.recording.is_open()) return ctx.real->glEndList();
 
     ListRecording done = std::exchange(ctx.recording, {});
     ctx.real->glEndList();
-    ctx.update_hot();
     note_begin_end(*ctx.share_group, done);
-    forget_recipe(ctx, done.name);
+    ShareGroup& group = *ctx.share_group;
     const bool is_split = !done.steps.empty() || done.segment != done.name;
     done.steps.push_back({done.segment, {}});
-    const std::lock_guard lock(ctx.share_group->mutex);
-    if (records_operations(ctx)) ctx.share_group->defined_lists.insert(done.name);
-    if (!is_split) return;
-    ctx.share_group->recipes[done.name] = std::make_shared<const ListRecipe>(std::move(done.steps));
+    std::shared_ptr<const ListRecipe> recipe;
+    if (is_split) recipe = std::make_shared<const ListRecipe>(group, done.name, std::move(done.steps));
+    {
+        // At once, for other threads: the old list or the new one.
+        const std::lock_guard lock(group.mutex);
+        if (ctx.records_operations) group.defined_lists.insert(done.name);
+        if (is_split) {
+            group.recipes[done.name].swap(recipe);
+        } else if (auto old = group.recipes.extract(done.name)) {
+            recipe = std::move(old.mapped());
+        }
+    }
+    recipe.reset();
+    delete_retired(ctx);
+    ctx.update_hot();
 }
 
 void call_list(Context& ctx, GLuint list) {
     // Between Begin and End a list cannot be split; no emulated operation is allowed there anyway.
-    if (ctx.recording.is_open() && records_operations(ctx) && !ctx.inside_begin_end) {
-        return record(ctx, {[](Context& c, const ListOperation& op) { call_list(c, op.first); }, list});
+    if (ctx.recording.is_open() && ctx.records_operations && !ctx.inside_begin_end) {
+        ListOperation operation{[](Context& c, const ListOperation& op) { call_list(c, op.first); }, list};
+        operation.calls_lists = true;
+        return record(ctx, std::move(operation));
     }
+    if (!ctx.share_group->has_own_lists) return play(ctx, list, BeginEnd::kUnchanged);
     execute(ctx, list);
 }
 
 void call_lists(Context& ctx, GLsizei n, GLenum type, const void* lists) {
     const std::size_t size = element_size(type);
-    if (n <= 0 || size == 0 || lists == nullptr || !records_operations(ctx)) {
+    const bool may_hold_ours = ctx.recording.is_open() || ctx.share_group->has_own_lists;
+    if (n <= 0 || size == 0 || lists == nullptr || !ctx.records_operations || !may_hold_ours) {
         before_draw(ctx, unknown());
         return ctx.real->glCallLists(n, type, lists);
     }
@@ -235,6 +247,7 @@ void call_lists(Context& ctx, GLsizei n, GLenum type, const void* lists) {
                                     call_lists(c, static_cast<GLsizei>(op.first), op.second, op.bytes.data());
                                 },
                                 static_cast<GLuint>(n), type};
+        operation.calls_lists = true;
         operation.bytes.assign(bytes, bytes + static_cast<std::size_t>(n) * size);
         return record(ctx, std::move(operation));
     }
@@ -248,17 +261,18 @@ void call_lists(Context& ctx, GLsizei n, GLenum type, const void* lists) {
 
 void delete_lists(Context& ctx, GLuint list, GLsizei range) {
     const GLuint last = list + static_cast<GLuint>(range) - 1;
-    if (range <= 0 || last < list || ctx.inside_begin_end) return ctx.real->glDeleteLists(list, range);
+    if (range <= 0 || last < list) return ctx.real->glDeleteLists(list, range);
 
-    std::vector<GLuint> recipes;
+    std::vector<std::shared_ptr<const ListRecipe>> recipes;
     std::vector<GLuint> kept;
     {
         const std::lock_guard lock(ctx.share_group->mutex);
         ShareGroup& group = *ctx.share_group;
         group.defined_lists.erase(group.defined_lists.lower_bound(list),
                                   group.defined_lists.upper_bound(last));
-        for (auto r = group.recipes.lower_bound(list); r != group.recipes.end() && r->first <= last; ++r) {
-            recipes.push_back(r->first);
+        for (auto r = group.recipes.lower_bound(list); r != group.recipes.end() && r->first <= last;) {
+            recipes.push_back(std::move(r->second));
+            r = group.recipes.erase(r);
         }
         for (auto h = group.hidden_lists.lower_bound(list); h != group.hidden_lists.end() && *h <= last;
              ++h) {
@@ -274,11 +288,11 @@ void delete_lists(Context& ctx, GLuint list, GLsizei range) {
         list = hidden + 1;
     }
     if (list <= last) ctx.real->glDeleteLists(list, static_cast<GLsizei>(last - list + 1));
-    for (const GLuint name : recipes) forget_recipe(ctx, name);
+    recipes.clear();
+    delete_retired(ctx);
 }
 
 GLboolean is_list(Context& ctx, GLuint list) {
-    if (ctx.inside_begin_end) return ctx.real->glIsList(list);
     if (ctx.recording.is_making(list)) return ctx.recording.was_list ? GL_TRUE : GL_FALSE;
     if (recipe_of(ctx, list) != nullptr) return GL_TRUE;
     return is_hidden(ctx, list) ? GL_FALSE : ctx.real->glIsList(list);

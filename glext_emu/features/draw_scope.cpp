@@ -31,13 +31,13 @@ bool is_primitive(GLenum mode) {
 // Mesa draws and counts them.
 bool counts_too_much(const Context& ctx, GLenum pixels) {
     const bool is_stencil = pixels == GL_STENCIL_INDEX || pixels == GL_STENCIL;
-    return is_stencil && ctx.follows_text && !ctx.recording.is_open() && !ctx.inside_begin_end;
+    return is_stencil && ctx.follows_text && !ctx.recording.is_open();
 }
 
 }  // namespace
 
 void before_draw(Context& ctx, Triangles triangles) {
-    // A command that is only compiled draws nothing now; one between Begin and End is in error.
+    // A command that is only compiled draws nothing now.
     if (ctx.recording.only_compiles() || ctx.inside_begin_end) return;
     count_draw(ctx, triangles);
     if (ctx.follows_text && ctx.slot.counts_samples()) {
@@ -66,7 +66,7 @@ void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, 
 void begin(Context& ctx, GLenum mode) {
     before_draw(ctx, unknown());
     if (is_primitive(mode)) {
-        if (ctx.recording.is_open()) ctx.recording.begin_end = BeginEnd::kOpens;
+        if (ctx.recording.is_open()) ctx.recording.follow(BeginEnd::kOpens);
         if (!ctx.recording.only_compiles()) {
             remember_list_base(ctx);
             ctx.inside_begin_end = true;
@@ -76,10 +76,7 @@ void begin(Context& ctx, GLenum mode) {
 }
 
 void end(Context& ctx) {
-    if (ctx.recording.is_open()) {
-        const bool has_begin = ctx.recording.begin_end == BeginEnd::kOpens;
-        ctx.recording.begin_end = has_begin ? BeginEnd::kUnchanged : BeginEnd::kCloses;
-    }
+    if (ctx.recording.is_open()) ctx.recording.follow(BeginEnd::kCloses);
     if (!ctx.recording.only_compiles()) ctx.inside_begin_end = false;
     ctx.real->glEnd();
 }

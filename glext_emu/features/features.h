@@ -66,6 +66,9 @@ void get_query_objectiv(Context& ctx, GLuint id, GLenum pname, GLint* params);
 void get_query_objectuiv(Context& ctx, GLuint id, GLenum pname, GLuint* params);
 void get_query_objecti64v(Context& ctx, GLuint id, GLenum pname, GLint64* params);
 void get_query_objectui64v(Context& ctx, GLuint id, GLenum pname, GLuint64* params);
+// RESULT or RESULT_AVAILABLE of a query that has ended, to client memory whatever query buffer is bound.
+void read_count(Context& ctx, GLuint id, GLenum pname, GLint* params);
+void read_count(Context& ctx, GLuint id, GLenum pname, GLuint* params);
 void get_query_buffer_objectiv(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset);
 void get_query_buffer_objectuiv(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset);
 void get_query_buffer_objecti64v(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset);

@@ -41,7 +41,7 @@ void let_driver_finish(const Context& ctx, GLsync sync) {
 
 void finish(Context& ctx) {
     ctx.real->glFinish();
-    if (!ctx.inside_begin_end) ctx.clock.wait_until(ctx.clock.latest_due());
+    ctx.clock.wait_until(ctx.clock.latest_due());
 }
 
 GLsync fence_sync(Context& ctx, GLenum condition, GLbitfield flags) {

@@ -7,10 +7,6 @@
 
 namespace glext_emu::features {
 
-// True where lists can hold operations that the driver must not compile, or that the layer has to see
-// executed.
-bool records_operations(const Context& ctx);
-
 // Reads the driver's list base for the Begin/End pair that is about to be opened.
 void remember_list_base(Context& ctx);
 

@@ -6,23 +6,12 @@
 #include "features/features.h"
 #include "features/list_recorder.h"
 
-#include <limits>
-
 namespace glext_emu::features {
 namespace {
-
-// NV_occlusion_query, Errors: INVALID_OPERATION "if any of the commands defined in this extension is executed
-// between the execution of Begin and the corresponding execution of End". The driver raises it, as it does
-// for any command.
-bool refuses_inside_begin_end(Context& ctx) {
-    if (ctx.inside_begin_end) ctx.real->glIsEnabled(GL_DEPTH_TEST);
-    return ctx.inside_begin_end;
-}
 
 // Errors: INVALID_OPERATION "if GenOcclusionQueriesNV or DeleteOcclusionQueriesNV is called when an occlusion
 // query is active".
 bool refuses_names(Context& ctx, GLsizei n) {
-    if (refuses_inside_begin_end(ctx)) return true;
     if (n < 0) {
         ctx.raise(GL_INVALID_VALUE);
     } else if (ctx.slot.app_query != 0) {
@@ -33,17 +22,18 @@ bool refuses_names(Context& ctx, GLsizei n) {
     return true;
 }
 
-// 6.1.13: the value of an ended query, to client memory whatever query buffer is bound.
+// Errors: INVALID_OPERATION "if GetOcclusionQueryivNV or GetOcclusionQueryuivNV is called where id is not the
+// name of an occlusion query", or of the active one.
+bool has_count(Context& ctx, GLuint id) {
+    const auto found = ctx.slot.records.find(id);
+    return found != ctx.slot.records.end() && found->second.has_ended && is_object(ctx, id);
+}
+
 template <class T>
-void get_occlusion_query(Context& ctx, GLuint id, GLenum pname, T* params,
-                         void (*get)(Context&, GLuint, GLenum, T*)) {
-    if (refuses_inside_begin_end(ctx)) return;
+void get_occlusion_query(Context& ctx, GLuint id, GLenum pname, T* params) {
     if (pname != GL_PIXEL_COUNT_NV && pname != GL_PIXEL_COUNT_AVAILABLE_NV) return ctx.raise(GL_INVALID_ENUM);
-    GLint buffer = 0;
-    if (ctx.kind.has_query_buffer) ctx.real->glGetIntegerv(GL_QUERY_BUFFER_BINDING, &buffer);
-    if (buffer != 0) ctx.real->glBindBuffer(GL_QUERY_BUFFER, 0);
-    get(ctx, id, pname, params);
-    if (buffer != 0) ctx.real->glBindBuffer(GL_QUERY_BUFFER, static_cast<GLuint>(buffer));
+    if (!has_count(ctx, id)) return ctx.raise(GL_INVALID_OPERATION);
+    if (params != nullptr) read_count(ctx, id, pname, params);
 }
 
 }  // namespace
@@ -59,12 +49,10 @@ void delete_occlusion_queries_nv(Context& ctx, GLsizei n, const GLuint* ids) {
 }
 
 GLboolean is_occlusion_query_nv(Context& ctx, GLuint id) {
-    if (refuses_inside_begin_end(ctx)) return GL_FALSE;
     return is_query(ctx, id);
 }
 
 void begin_occlusion_query_nv(Context& ctx, GLuint id) {
-    if (refuses_inside_begin_end(ctx)) return;
     if (ctx.recording.is_open()) {
         return record(
             ctx, {[](Context& c, const ListOperation& op) { begin_occlusion_query_nv(c, op.first); }, id});
@@ -76,7 +64,6 @@ void begin_occlusion_query_nv(Context& ctx, GLuint id) {
 }
 
 void end_occlusion_query_nv(Context& ctx) {
-    if (refuses_inside_begin_end(ctx)) return;
     if (ctx.recording.is_open()) {
         return record(ctx, {[](Context& c, const ListOperation&) { end_occlusion_query_nv(c); }});
     }
@@ -85,11 +72,11 @@ void end_occlusion_query_nv(Context& ctx) {
 }
 
 void get_occlusion_queryiv_nv(Context& ctx, GLuint id, GLenum pname, GLint* params) {
-    get_occlusion_query(ctx, id, pname, params, get_query_objectiv);
+    get_occlusion_query(ctx, id, pname, params);
 }
 
 void get_occlusion_queryuiv_nv(Context& ctx, GLuint id, GLenum pname, GLuint* params) {
-    get_occlusion_query(ctx, id, pname, params, get_query_objectuiv);
+    get_occlusion_query(ctx, id, pname, params);
 }
 
 GLint counter_bits(Context& ctx) {

@@ -26,9 +26,7 @@ void set_test(Context& ctx, bool is_enabled) {
 }  // namespace
 
 void enable(Context& ctx, GLenum cap) {
-    // GL 4.6 compatibility, 10.7.5: between Begin and End the driver raises INVALID_OPERATION whatever <cap>
-    // is.
-    if (!is_recorded(ctx, cap) || ctx.inside_begin_end) return ctx.real->glEnable(cap);
+    if (!is_recorded(ctx, cap) || ctx.is_between_begin_and_end()) return ctx.real->glEnable(cap);
     if (ctx.recording.is_open()) {
         return record(ctx, {[](Context& c, const ListOperation& op) { enable(c, op.first); }, cap});
     }
@@ -38,7 +36,7 @@ void enable(Context& ctx, GLenum cap) {
 }
 
 void disable(Context& ctx, GLenum cap) {
-    if (!is_recorded(ctx, cap) || ctx.inside_begin_end) return ctx.real->glDisable(cap);
+    if (!is_recorded(ctx, cap) || ctx.is_between_begin_and_end()) return ctx.real->glDisable(cap);
     if (ctx.recording.is_open()) {
         return record(ctx, {[](Context& c, const ListOperation& op) { disable(c, op.first); }, cap});
     }
@@ -48,14 +46,14 @@ void disable(Context& ctx, GLenum cap) {
 }
 
 GLboolean is_enabled(Context& ctx, GLenum cap) {
-    if (!is_test(ctx, cap) || ctx.inside_begin_end) return ctx.real->glIsEnabled(cap);
+    if (!is_test(ctx, cap) || ctx.is_between_begin_and_end()) return ctx.real->glIsEnabled(cap);
     return ctx.slot.test_enabled ? GL_TRUE : GL_FALSE;
 }
 
 // NV_occlusion_query, New State: OCCLUSION_TEST_HP belongs to the attribute group "enable", the result to
 // none.
 void push_attrib(Context& ctx, GLbitfield mask) {
-    if (ctx.inside_begin_end || !ctx.emulates_test) return ctx.real->glPushAttrib(mask);
+    if (!ctx.emulates_test) return ctx.real->glPushAttrib(mask);
     if (ctx.recording.is_open()) {
         return record(ctx, {[](Context& c, const ListOperation& op) { push_attrib(c, op.first); }, mask});
     }
@@ -70,7 +68,7 @@ void push_attrib(Context& ctx, GLbitfield mask) {
 void pop_attrib(Context& ctx) {
     // A pop may switch MULTISAMPLE too, which a list has to hold as an operation of the layer's.
     const bool is_ours = ctx.emulates_test || (ctx.follows_text && ctx.recording.is_open());
-    if (ctx.inside_begin_end || !is_ours) return ctx.real->glPopAttrib();
+    if (!is_ours) return ctx.real->glPopAttrib();
     if (ctx.recording.is_open()) {
         return record(ctx, {[](Context& c, const ListOperation&) { pop_attrib(c); }});
     }

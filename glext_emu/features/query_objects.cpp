@@ -40,12 +40,11 @@ bool is_in_use(const Context& ctx, GLuint name) {
 }  // namespace
 
 void gen_queries(Context& ctx, GLsizei n, GLuint* ids) {
-    if (refuses_names_now(ctx) && !ctx.inside_begin_end) return ctx.raise(GL_INVALID_OPERATION);
+    if (refuses_names_now(ctx)) return ctx.raise(GL_INVALID_OPERATION);
     ctx.real->glGenQueries(n, ids);
 }
 
 void create_queries(Context& ctx, GLenum target, GLsizei n, GLuint* ids) {
-    if (ctx.inside_begin_end) return ctx.real->glCreateQueries(target, n, ids);
     if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
     if (!ctx.follows_text || !is_occlusion_target(target)) return ctx.real->glCreateQueries(target, n, ids);
     const GLenum real = real_target(ctx, target);
@@ -57,7 +56,7 @@ void create_queries(Context& ctx, GLenum target, GLsizei n, GLuint* ids) {
 }
 
 void delete_queries(Context& ctx, GLsizei n, const GLuint* ids) {
-    if (n < 0 || ids == nullptr || ctx.inside_begin_end) return ctx.real->glDeleteQueries(n, ids);
+    if (n < 0 || ids == nullptr) return ctx.real->glDeleteQueries(n, ids);
     if (refuses_names_now(ctx)) return ctx.raise(GL_INVALID_OPERATION);
 
     std::vector<GLuint> names;
@@ -83,13 +82,12 @@ void delete_queries(Context& ctx, GLsizei n, const GLuint* ids) {
 
 GLboolean is_query(Context& ctx, GLuint id) {
     const bool is_unknown = ctx.slot.is_hidden(id) || ctx.slot.is_doomed(id);
-    return is_unknown && !ctx.inside_begin_end ? GL_FALSE : ctx.real->glIsQuery(id);
+    return is_unknown ? GL_FALSE : ctx.real->glIsQuery(id);
 }
 
 void begin_query(Context& ctx, GLenum target, GLuint id) {
-    if (ctx.inside_begin_end) return ctx.real->glBeginQuery(target, id);
     if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
-    if (ctx.recording.is_open() && is_occlusion_target(target) && records_operations(ctx)) {
+    if (ctx.recording.is_open() && is_occlusion_target(target) && ctx.records_operations) {
         return record(ctx, {[](Context& c, const ListOperation& op) { begin_query(c, op.first, op.second); },
                             target, id});
     }
@@ -126,14 +124,14 @@ void start_query(Context& ctx, GLenum target, GLuint id) {
 void begin_query_indexed(Context& ctx, GLenum target, GLuint index, GLuint id) {
     // GL 4.6, 4.2: BeginQueryIndexed with index zero is BeginQuery.
     if (index == 0 && is_occlusion_target(target)) return begin_query(ctx, target, id);
-    if (!ctx.recording.is_open() && !ctx.inside_begin_end) yield_name(ctx, id);
+    if (!ctx.recording.is_open()) yield_name(ctx, id);
     ctx.real->glBeginQueryIndexed(target, index, id);
 }
 
 void end_query(Context& ctx, GLenum target) {
-    if (ctx.inside_begin_end || !is_occlusion_target(target)) return ctx.real->glEndQuery(target);
+    if (!is_occlusion_target(target)) return ctx.real->glEndQuery(target);
     if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
-    if (ctx.recording.is_open() && records_operations(ctx)) {
+    if (ctx.recording.is_open() && ctx.records_operations) {
         return record(ctx, {[](Context& c, const ListOperation& op) { end_query(c, op.first); }, target});
     }
     finish_query(ctx, target);
@@ -165,12 +163,12 @@ void end_query_indexed(Context& ctx, GLenum target, GLuint index) {
 }
 
 void query_counter(Context& ctx, GLuint id, GLenum target) {
-    if (!ctx.recording.is_open() && !ctx.inside_begin_end) yield_name(ctx, id);
+    if (!ctx.recording.is_open()) yield_name(ctx, id);
     ctx.real->glQueryCounter(id, target);
 }
 
 void get_queryiv(Context& ctx, GLenum target, GLenum pname, GLint* params) {
-    if (refuses_target(ctx, target) && !ctx.inside_begin_end) return ctx.raise(GL_INVALID_ENUM);
+    if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
     if (!is_occlusion_target(target) || params == nullptr)
         return ctx.real->glGetQueryiv(target, pname, params);
 
@@ -195,14 +193,14 @@ void get_query_indexediv(Context& ctx, GLenum target, GLuint index, GLenum pname
 // KHR_debug: INVALID_VALUE "if <name> is not the name of a valid object of the type specified by
 // <identifier>"; a generated name becomes one at its first begin.
 void object_label(Context& ctx, GLenum identifier, GLuint name, GLsizei length, const GLchar* label) {
-    const bool is_checked = identifier == GL_QUERY && ctx.follows_text && !ctx.inside_begin_end;
+    const bool is_checked = identifier == GL_QUERY && ctx.follows_text;
     if (is_checked && !is_object(ctx, name)) return ctx.raise(GL_INVALID_VALUE);
     ctx.real->glObjectLabel(identifier, name, length, label);
 }
 
 void get_object_label(Context& ctx, GLenum identifier, GLuint name, GLsizei size, GLsizei* length,
                       GLchar* label) {
-    const bool is_checked = identifier == GL_QUERY && ctx.follows_text && !ctx.inside_begin_end;
+    const bool is_checked = identifier == GL_QUERY && ctx.follows_text;
     if (is_checked && !is_object(ctx, name)) return ctx.raise(GL_INVALID_VALUE);
     ctx.real->glGetObjectLabel(identifier, name, size, length, label);
 }

@@ -24,6 +24,12 @@ bool is_the_drivers(const QueryRecord& record) {
     return record.is_as_counted() && !(is_counter && settings().device.counter_bits);
 }
 
+// GL 4.6, 4.2.3: what does not fit is returned as the nearest value that does.
+template <class T>
+T nearest(std::uint64_t value) {
+    return static_cast<T>(std::min<std::uint64_t>(value, std::numeric_limits<T>::max()));
+}
+
 // What the counter of the machine shows.
 template <class T>
 T seen_count(Context& ctx, const QueryRecord& record, GLuint id) {
@@ -31,14 +37,19 @@ T seen_count(Context& ctx, const QueryRecord& record, GLuint id) {
     // ARB_occlusion_query, issues: a counter that overflows stays at 2^n-1.
     const int bits = record.target == GL_SAMPLES_PASSED ? settings().device.counter_bits.value_or(64) : 1;
     if (bits < 64) count = std::min(count, (std::uint64_t{1} << bits) - 1);
-    // GL 4.6, 4.2.3: what does not fit is returned as the nearest value that does.
-    return static_cast<T>(std::min<std::uint64_t>(count, std::numeric_limits<T>::max()));
+    return nearest<T>(count);
 }
 
-// The ways in which a value leaves the driver: <write> makes it write to wherever the program wants it.
+// <write> makes the driver write <pname> to <offset> of <buffer>.
 template <class T, class Write>
 void write_to_buffer(Context& ctx, GLuint id, QueryRecord& record, GLenum pname, GLuint buffer,
                      GLintptr offset, Write write) {
+    if (!can_correct(ctx, buffer)) {
+        // GL 4.6, 6.3.1: commands that write to a mapped buffer may refuse it.
+        if (ctx.follows_text && is_mapped(ctx, buffer)) return ctx.raise(GL_INVALID_OPERATION);
+        ctx.clock.wait_until(record.due);
+        return write();
+    }
     const auto accepts = [&] { return driver_accepts(ctx, write); };
     switch (pname) {
         case GL_QUERY_RESULT_AVAILABLE: {
@@ -84,22 +95,9 @@ void write_to_buffer(Context& ctx, GLuint id, QueryRecord& record, GLenum pname,
     }
 }
 
-template <class T>
-void get_query_object(Context& ctx, GLuint id, GLenum pname, T* params, void (*real)(GLuint, GLenum, T*)) {
-    if (ctx.inside_begin_end) return real(id, pname, params);
-    if (pname == GL_QUERY_RESULT_NO_WAIT && refuses_query_buffers(ctx)) return ctx.raise(GL_INVALID_ENUM);
-    if (pname == GL_QUERY_RESULT_NO_WAIT && !ctx.kind.has_query_buffer) return real(id, pname, params);
-    // Name zero raises what a name of nobody's raises.
-    if (ctx.slot.is_hidden(id) || ctx.slot.is_doomed(id)) return real(0, pname, params);
-    const auto found = ctx.slot.records.find(id);
-    if (found == ctx.slot.records.end() || !found->second.has_ended) return real(id, pname, params);
-    QueryRecord& record = found->second;
-    if (const GLuint buffer = bound_query_buffer(ctx); buffer != 0) {
-        return write_to_buffer<T>(ctx, id, record, pname, buffer, reinterpret_cast<GLintptr>(params),
-                                  [&] { real(id, pname, params); });
-    }
-    if (params == nullptr) return real(id, pname, params);
-
+// To client memory. <ask> makes the driver say <pname>.
+template <class T, class Ask>
+void write_to_client(Context& ctx, GLuint id, QueryRecord& record, GLenum pname, T* params, Ask ask) {
     switch (pname) {
         case GL_QUERY_RESULT_AVAILABLE:
             ctx.frame.polls++;
@@ -109,14 +107,14 @@ void get_query_object(Context& ctx, GLuint id, GLenum pname, T* params, void (*r
             }
             // A deterministic clock does not depend on when the driver happens to be ready.
             if (ctx.clock.is_deterministic()) has_passed(ctx, id);
-            real(id, pname, params);
+            ask(params);
             record.was_seen_available = *params != GL_FALSE;
             return;
         case GL_QUERY_RESULT: {
             std::optional<StallScope> stall;
             if (!record.was_seen_available) stall.emplace(ctx);
             if (is_the_drivers(record)) {
-                real(id, pname, params);
+                ask(params);
             } else {
                 *params = seen_count<T>(ctx, record, id);
             }
@@ -129,27 +127,52 @@ void get_query_object(Context& ctx, GLuint id, GLenum pname, T* params, void (*r
             ctx.frame.polls++;
             if (ctx.clock.delays() && !ctx.clock.poll(record.due)) return;
             if (ctx.clock.is_deterministic()) has_passed(ctx, id);
-            if (is_the_drivers(record)) return real(id, pname, params);
-            {
-                GLuint is_available = GL_FALSE;
-                ctx.real->glGetQueryObjectuiv(id, GL_QUERY_RESULT_AVAILABLE, &is_available);
-                if (is_available != GL_FALSE) *params = seen_count<T>(ctx, record, id);
+            if (is_the_drivers(record)) {
+                ask(params);
+            } else if (is_driver_ready(ctx, id)) {
+                *params = seen_count<T>(ctx, record, id);
             }
             return;
         case GL_QUERY_TARGET:
-            real(id, pname, params);
+            ask(params);
             if (record.target != real_target(ctx, record.target)) *params = static_cast<T>(record.target);
             return;
         default:
-            return real(id, pname, params);
+            return ask(params);
     }
+}
+
+template <class T>
+void get_query_object(Context& ctx, GLuint id, GLenum pname, T* params, void (*real)(GLuint, GLenum, T*)) {
+    if (pname == GL_QUERY_RESULT_NO_WAIT && refuses_query_buffers(ctx)) return ctx.raise(GL_INVALID_ENUM);
+    if (pname == GL_QUERY_RESULT_NO_WAIT && !ctx.kind.has_query_buffer) return real(id, pname, params);
+    // Name zero raises what a name of nobody's raises.
+    if (ctx.slot.is_hidden(id) || ctx.slot.is_doomed(id)) return real(0, pname, params);
+    const auto found = ctx.slot.records.find(id);
+    if (found == ctx.slot.records.end() || !found->second.has_ended) return real(id, pname, params);
+    QueryRecord& record = found->second;
+    if (const GLuint buffer = bound_query_buffer(ctx); buffer != 0) {
+        return write_to_buffer<T>(ctx, id, record, pname, buffer, reinterpret_cast<GLintptr>(params),
+                                  [&] { real(id, pname, params); });
+    }
+    if (params == nullptr) return real(id, pname, params);
+    write_to_client(ctx, id, record, pname, params, [&](T* to) { real(id, pname, to); });
+}
+
+// NV_occlusion_query: to client memory, whatever query buffer is bound.
+template <class T>
+void read_count_as(Context& ctx, GLuint id, GLenum pname, T* params) {
+    const auto ask = [&](T* to) {
+        *to = pname == GL_QUERY_RESULT_AVAILABLE ? T{is_driver_ready(ctx, id)}
+                                                 : nearest<T>(driver_count(ctx, id));
+    };
+    write_to_client(ctx, id, ctx.slot.records.at(id), pname, params, ask);
 }
 
 // ARB_direct_state_access: the same into any buffer.
 template <class T>
 void get_query_buffer_object(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset,
                              void (*real)(GLuint, GLuint, GLenum, GLintptr)) {
-    if (ctx.inside_begin_end) return real(id, buffer, pname, offset);
     if (ctx.slot.is_hidden(id) || ctx.slot.is_doomed(id)) return real(0, buffer, pname, offset);
     const auto found = ctx.slot.records.find(id);
     const bool is_judged_only = found == ctx.slot.records.end() || !found->second.has_ended ||
@@ -160,6 +183,14 @@ void get_query_buffer_object(Context& ctx, GLuint id, GLuint buffer, GLenum pnam
 }
 
 }  // namespace
+
+void read_count(Context& ctx, GLuint id, GLenum pname, GLint* params) {
+    read_count_as(ctx, id, pname, params);
+}
+
+void read_count(Context& ctx, GLuint id, GLenum pname, GLuint* params) {
+    read_count_as(ctx, id, pname, params);
+}
 
 void get_query_objectiv(Context& ctx, GLuint id, GLenum pname, GLint* params) {
     get_query_object(ctx, id, pname, params, ctx.real->glGetQueryObjectiv);

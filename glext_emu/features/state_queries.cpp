@@ -28,9 +28,29 @@ struct Answer {
     GLint value = 0;
 };
 
+// True for what <answer> may not leave to the driver; asked first, since an answer may have effects.
+bool is_ours(const Context& ctx, GLenum pname) {
+    switch (pname) {
+        case GL_OCCLUSION_TEST_HP:
+        case GL_OCCLUSION_TEST_RESULT_HP:
+            return ctx.emulates_test;
+        case GL_PIXEL_COUNTER_BITS_NV:
+        case GL_CURRENT_OCCLUSION_QUERY_ID_NV:
+            return ctx.emulates_nv_query;
+        case GL_LIST_INDEX:
+            return ctx.recording.name != 0;
+        case GL_MAJOR_VERSION:
+        case GL_MINOR_VERSION:
+        case GL_NUM_EXTENSIONS:
+        case GL_CONTEXT_FLAGS:
+        case GL_CONTEXT_PROFILE_MASK:
+            return ctx.advertised->version_differs || ctx.advertised->extensions_differ;
+        default:
+            return false;
+    }
+}
+
 Answer answer(Context& ctx, GLenum pname) {
-    // GL 4.6 compatibility, 10.7.5: between Begin and End a Get is in error, which the driver raises.
-    if (ctx.inside_begin_end) return {};
     if (ctx.emulates_test) {
         if (pname == GL_OCCLUSION_TEST_HP) return {Answer::kOwn, ctx.slot.test_enabled};
         if (pname == GL_OCCLUSION_TEST_RESULT_HP) return {Answer::kOwn, read_test_result(ctx)};
@@ -72,7 +92,9 @@ Answer answer(Context& ctx, GLenum pname) {
 
 template <class T>
 void get(Context& ctx, GLenum pname, T* params, void (*real)(GLenum, T*)) {
-    const Answer found = params == nullptr ? Answer{} : answer(ctx, pname);
+    if (params == nullptr || !is_ours(ctx, pname) || ctx.is_between_begin_and_end())
+        return real(pname, params);
+    const Answer found = answer(ctx, pname);
     if (found.kind == Answer::kForward) return real(pname, params);
     if (found.kind == Answer::kRefuse) return ctx.raise(GL_INVALID_ENUM);
     if (found.kind == Answer::kInstead && !driver_answers(pname, real)) return;
@@ -135,7 +157,7 @@ const GLubyte* get_stringi(Context& ctx, GLenum name, GLuint index) {
 }
 
 GLenum get_error(Context& ctx) {
-    if (ctx.inside_begin_end || ctx.pending_error == GL_NO_ERROR) return ctx.real->glGetError();
+    if (ctx.pending_error == GL_NO_ERROR) return ctx.real->glGetError();
     // There is one flag: an error that came after the pending one was never recorded.
     ctx.real->glGetError();
     const GLenum code = std::exchange(ctx.pending_error, static_cast<GLenum>(GL_NO_ERROR));

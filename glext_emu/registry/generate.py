@@ -21,6 +21,9 @@ LOOKS_LIKE_DRAW_OR_QUERY = re.compile(
 # Classes of commands that a driver may lack: where a device emulates something, they have a wrapper even so.
 SUPPLIED = {"nvquery", "nvxrender"}
 
+# Classes whose commands may stand between Begin and End, or look for themselves whether they do.
+UNGUARDED = {"immediate", "call", "enable", "get"}
+
 BANNER = "// Generated from gl.xml and hooks.list. Do not edit.\n"
 
 
@@ -97,7 +100,7 @@ def read_hooks(path, commands):
         if section == "real":
             real.append(name)
             continue
-        if (section == "draw") != (triangles is not None) and not (section == "draw" and function):
+        if (section == "draw") != (triangles is not None):
             fail(f"{path}:{number}: in [draw], and only there, a command says how many triangles it draws")
         hooks[name] = (section, triangles or function or snake_case(name))
     for command in commands.values():
@@ -147,13 +150,16 @@ def wrapper(command, section, how):
     forward = f"return {call};"
     if section in SUPPLIED:
         forward = f"return current.real->{command.name} == nullptr ? {command.returns}() : {call};"
-    if section == "draw" and "(" in how:
+    if section == "draw":
         body = f"    features::before_draw(ctx, features::{how});\n    return {call};"
     else:
         arguments = ", ".join(["ctx"] + [name for _, name in command.params])
         body = f"    return features::{how}({arguments});"
+    guard = ""
+    if section not in UNGUARDED:
+        guard = f"    if (ctx.is_between_begin_and_end()) [[unlikely]] {forward}\n"
     return (f"[[gnu::noinline, gnu::cold]] static {command.declaration('slow_' + command.name)} {{\n"
-            f"    Context& ctx = enter();\n{body}\n}}\n"
+            f"    Context& ctx = enter();\n{guard}{body}\n}}\n"
             f"{command.declaration(command.name)} {{\n"
             f"    if (!(current.hot & kHot{section.capitalize()})) [[likely]] {forward}\n"
             f"    return slow_{command.name}({command.arguments()});\n}}")
