@@ -32,7 +32,8 @@ void Context::update_hot() {
     if (recording.name != 0 && follows_text) hot |= kHotEnable | kHotAttrib;  // MULTISAMPLE
     // Where nobody asks for them, Begin and End cost nothing.
     const bool has_own_lists = recording.name != 0 || share_group->has_own_lists;
-    if ((hot & kHotDraw) != 0 || (records_operations && has_own_lists)) hot |= kHotImmediate;
+    if (inside_begin_end || (hot & kHotDraw) != 0 || (records_operations && has_own_lists))
+        hot |= kHotImmediate;
     tracks_begin_end = (hot & kHotImmediate) != 0;
     if (current.context == this) current.hot = hot;
 }
@@ -49,12 +50,18 @@ void Context::keep_error() {
     if (pending_error == GL_NO_ERROR) pending_error = error;
 }
 
+void Context::set_inside_begin_end(bool is_inside) {
+    inside_begin_end = is_inside;
+    update_hot();
+}
+
 // A Begin may fail for many reasons, and nothing tells but that a Get is answered.
 bool Context::confirm_begin_end() {
     GLint nesting = -1;
     real->glGetIntegerv(GL_MAX_LIST_NESTING, &nesting);
-    inside_begin_end = nesting < 0;
-    return inside_begin_end;
+    const bool is_inside = nesting < 0;
+    if (tracks_begin_end && !is_inside) set_inside_begin_end(false);
+    return is_inside;
 }
 
 void Context::catch_up() {

@@ -64,6 +64,7 @@ struct Context {
     // Moves a deterministic clock to what another context has seen complete.
     void catch_up();
     bool confirm_begin_end();
+    void set_inside_begin_end(bool is_inside);
 
     const char* platform;  // "glx" or "egl"
     const RealGl* real;    // the driver below; `ctx.real->` marks every contact with it

@@ -175,7 +175,7 @@ void context_leaves_thread() {
     // A context that is destroyed with a query still active crashes llvmpipe, whose rasteriser writes into
     // it; the program knows of no query, so it is not the one to blame. The next draw opens another segment.
     Context* const ctx = current.context;
-    if (ctx == nullptr || ctx->slot.open_segment == 0 || ctx->inside_begin_end) return;
+    if (ctx == nullptr || ctx->slot.open_segment == 0 || ctx->is_between_begin_and_end()) return;
     const ListPause pause(*ctx);
     close_segment(*ctx);
 }

@@ -80,7 +80,7 @@ void play(Context& ctx, GLuint real_list, BeginEnd begin_end) {
     ctx.real->glCallList(real_list);
     if (ctx.recording.is_open()) ctx.recording.follow(begin_end);
     if (begin_end != BeginEnd::kUnchanged && !ctx.recording.only_compiles()) {
-        ctx.inside_begin_end = begin_end == BeginEnd::kOpens;
+        ctx.set_inside_begin_end(begin_end == BeginEnd::kOpens);
     }
 }
 
@@ -163,8 +163,8 @@ GLuint offset_at(const std::byte* at, GLenum type) {
 }  // namespace
 
 void remember_list_base(Context& ctx) {
-    if (!ctx.inside_begin_end && ctx.records_operations)
-        ctx.real->glGetIntegerv(GL_LIST_BASE, &ctx.list_base);
+    const bool may_be_asked = ctx.records_operations && ctx.share_group->has_own_lists;
+    if (may_be_asked && !ctx.inside_begin_end) ctx.real->glGetIntegerv(GL_LIST_BASE, &ctx.list_base);
 }
 
 void record(Context& ctx, ListOperation operation) {
@@ -224,13 +224,15 @@ void end_list(Context& ctx) {
 }
 
 void call_list(Context& ctx, GLuint list) {
+    const bool may_be_ours = ctx.recording.is_open() || ctx.share_group->has_own_lists;
+    if (!may_be_ours && (ctx.hot & kHotDraw) == 0) [[likely]]
+        return ctx.real->glCallList(list);
     // Between Begin and End a list cannot be split; no emulated operation is allowed there anyway.
     if (ctx.recording.is_open() && ctx.records_operations && !ctx.inside_begin_end) {
         ListOperation operation{[](Context& c, const ListOperation& op) { call_list(c, op.first); }, list};
         operation.calls_lists = true;
         return record(ctx, std::move(operation));
     }
-    if (!ctx.share_group->has_own_lists) return play(ctx, list, BeginEnd::kUnchanged);
     execute(ctx, list);
 }
 

@@ -69,7 +69,7 @@ void begin(Context& ctx, GLenum mode) {
         if (ctx.recording.is_open()) ctx.recording.follow(BeginEnd::kOpens);
         if (!ctx.recording.only_compiles()) {
             remember_list_base(ctx);
-            ctx.inside_begin_end = true;
+            ctx.set_inside_begin_end(true);
         }
     }
     ctx.real->glBegin(mode);
@@ -77,7 +77,7 @@ void begin(Context& ctx, GLenum mode) {
 
 void end(Context& ctx) {
     if (ctx.recording.is_open()) ctx.recording.follow(BeginEnd::kCloses);
-    if (!ctx.recording.only_compiles()) ctx.inside_begin_end = false;
+    if (!ctx.recording.only_compiles()) ctx.set_inside_begin_end(false);
     ctx.real->glEnd();
 }
 
