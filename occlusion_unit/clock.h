@@ -4,8 +4,8 @@
 //
 //   none       as soon as the driver has it
 //   wall=US    US microseconds after the query's end; a blocking read really stalls
-//   calls=N    N hooked calls after it; deterministic, a blocking read returns at once and moves the clock to
-//   due frames=N   N buffer swaps after it; likewise, and 1,000 polls without a swap count as one
+//   calls=N    N hooked calls after it; deterministic, a blocking read returns at once and moves the clock on
+//   frames=N   N buffer swaps after it; likewise, and 1,000 polls without a swap count as one
 //
 // Due times never fall, so results become available in the order in which their queries ended.
 #pragma once

@@ -17,7 +17,7 @@ Context* forget_context(const void* handle);
 void end_context(Context* ctx);
 void restore_context(const void* handle, Context* ctx);
 
-// The thread's context may leave it, by MakeCurrent, ReleaseThread or Terminate: called before the driver is.
+// The thread's context may leave it, by MakeCurrent or ReleaseThread: called before the driver is.
 void context_leaves_thread();
 // The driver has made <handle> current in this thread; null: none. An unknown handle (a context made before
 // the layer was there) is taken up as new.
