@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 
 from plans import DECIDED, NOT_APPLICABLE
-from runs import DEPARTS, FAILED, PASSED, SKIPPED, WORST_FIRST
+from runs import DEPARTS, FAILED, PASSED, SEAM, SKIPPED, WORST_FIRST
 
 # The verdicts, as the summary counts them.
 MISSING, NA, DECISION = "missing", "not applicable", "decided"
@@ -98,12 +98,15 @@ def fill(judged, row, observed, faults):
 
 
 def verdict_of(observed):
-    """A test is shown by one machine; a statement is worth as much as the worst of its tests."""
+    """A test is shown by one machine, an emulated one where there is any that does not skip: a driver that follows the
+    text does not excuse a device that departs. A statement is worth as much as the worst of its tests."""
     verdicts = []
     for observations in observed.values():
-        outcomes = {one.outcome for one in observations}
-        if not outcomes:
+        if not observations:
             return MISSING
+        emulated = [one for one in observations if one.column == SEAM and one.outcome != SKIPPED]
+        failed = [one for one in observations if one.outcome == FAILED]
+        outcomes = {one.outcome for one in failed or emulated or observations}
         verdicts.append(next(one for one in (FAILED, PASSED, DEPARTS, SKIPPED) if one in outcomes))
     return worst(verdicts) if verdicts else MISSING
 

@@ -137,6 +137,10 @@ class TheTable(unittest.TestCase):
         followed = {"name": "conformance.emu.some", "kind": "emu", "front": "seam"}
         self.assertEqual(self.judge(runs=[*runs, followed]), (["passed"] * 2, []))
         self.assertIn("| AB-01 | departs | passed |", self.pages[".md"])
+        departs = [{**followed, "tests": {"two": "passed"}},
+                   {**followed, "name": "conformance.emu.some.departure.Suite.one", "departure": "Suite.one",
+                    "tests": {"one": "failed"}}]
+        self.assertEqual(self.judge(runs=[{}, *departs])[0], ["departs"] * 2)
 
     def test_a_departure_that_is_mended_is_a_fault(self):
         apart = {"name": "conformance.native.some.departure.Suite.one", "departure": "Suite.one"}

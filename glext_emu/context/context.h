@@ -37,8 +37,7 @@ struct ContextKind {
     bool has_any_samples = false;  // ANY_SAMPLES_PASSED is a target of the driver's
     bool has_query_buffer = false;
     bool is_no_error = false;
-    GLint attrib_stack_depth = 0;  // compatibility contexts only
-
+    GLint attrib_stack_depth = 0;     // compatibility contexts only
     bool has_64_bit_results = false;  // GetQueryObjectui64v
     bool has_named_buffers = false;   // ARB_direct_state_access
 
@@ -63,10 +62,10 @@ struct Context {
     }
     // Moves a deterministic clock to what another context has seen complete.
     void catch_up();
-    bool confirm_begin_end();
+    // Begin and End have come by.
     void set_inside_begin_end(bool is_inside);
 
-    const char* platform;  // "glx" or "egl"
+    const char* platform;  // "glx", "egl" or "osmesa"
     const RealGl* real;    // the driver below; `ctx.real->` marks every contact with it
     int number;            // 1, 2, ... in order of creation, for reports
     std::shared_ptr<ShareGroup> share_group;
@@ -80,7 +79,7 @@ struct Context {
     bool emulates_nvx_render = false;  // GL_NVX_conditional_render
     bool follows_text = false;  // where the driver departs from it; false on a device that passes through
     bool records_operations =
-        false;  // lists may hold what the driver must not compile, or the layer has to see
+        false;  // lists may hold what the driver must not compile, or the layer must see
     std::uint32_t always_hot = 0;
 
     std::uint32_t hot = 0;
@@ -95,6 +94,9 @@ struct Context {
     ConditionalRender conditional;
     occlusion_unit::Clock clock;
     FrameCounts frame;
+
+  private:
+    bool confirm_begin_end();
 };
 
 // Makes a call of the driver's in the program's name; true where it raised no error.
