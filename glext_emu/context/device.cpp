@@ -20,8 +20,10 @@ constexpr Builtin kBuiltins[] = {
 #include "builtin_devices.inc"
 };
 
-constexpr std::string_view kCanEmulate[] = {"GL_HP_occlusion_test", "GL_NV_occlusion_query",
-                                            "GL_NVX_conditional_render"};
+constexpr std::string_view kCanEmulate[] = {
+    "GL_HP_occlusion_test",          "GL_HP_visibility_test",     "GL_NV_occlusion_query",
+    "GL_NVX_conditional_render",     "GL_SGIX_instruments",       "GL_SGIX_occlusion_instrument",
+    "GL_SGIX_depth_pass_instrument", "GL_EMU_depth_region_query", "GL_EMU_occlusion_unit"};
 // A device file larger than this is not one.
 constexpr long kLongestFile = 1 << 20;
 
@@ -149,8 +151,8 @@ DeviceOrError parse_device(std::string_view text, std::string_view file) {
 
     Device device;
     Reader root(parsed.table(), file, result.error);
-    static constexpr std::string_view kRootKeys[] = {"name",       "description", "source", "year",
-                                                     "gl_version", "extensions",  "query"};
+    static constexpr std::string_view kRootKeys[] = {
+        "name", "description", "source", "year", "gl_version", "extensions", "query", "unit", "region"};
     root.allow_only(kRootKeys);
     root.string("name", device.name, true);
     root.string("description", device.description, true);
@@ -187,6 +189,24 @@ DeviceOrError parse_device(std::string_view text, std::string_view file) {
         static constexpr std::string_view kKeys[] = {"counter_bits"};
         query.allow_only(kKeys);
         query.integer("counter_bits", 1, 64, device.counter_bits);
+    }
+    if (const toml::table* table = root.table("unit")) {
+        Reader unit(*table, file, result.error);
+        static constexpr std::string_view kKeys[] = {"counter_bits",    "max_shapes", "pipes",
+                                                     "coordinate_bits", "depth_bits", "report_queue"};
+        unit.allow_only(kKeys);
+        unit.integer("counter_bits", 1, 64, device.unit_counter_bits);
+        unit.integer("max_shapes", 1, 65536, device.unit_max_shapes);
+        unit.integer("pipes", 1, 64, device.unit_pipes);
+        unit.integer("coordinate_bits", 1, 16, device.unit_coordinate_bits);
+        unit.integer("depth_bits", 1, 32, device.unit_depth_bits);
+        unit.integer("report_queue", 1, 65536, device.unit_report_queue);
+    }
+    if (const toml::table* table = root.table("region")) {
+        Reader region(*table, file, result.error);
+        static constexpr std::string_view kKeys[] = {"max_regions"};
+        region.allow_only(kKeys);
+        region.integer("max_regions", 1, 65536, device.max_regions);
     }
     if (result.error.empty()) result.device = std::move(device);
     return result;

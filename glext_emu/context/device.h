@@ -26,6 +26,15 @@ struct Device {
     std::vector<std::string> hide;        // extensions that the program is not to see
     std::optional<int> counter_bits;  // width of the samples-passed counter, 1..64; the driver's where absent
 
+    // Of the proposed extensions; what is absent is as docs/extensions and docs/hardware.md say.
+    std::optional<int> unit_counter_bits;     // width of the unit's two counters in a report, 1..64
+    std::optional<int> unit_max_shapes;       // shapes in one call, 1..65536
+    std::optional<int> unit_pipes;            // partial units, one beside the depth test of each pipe, 1..64
+    std::optional<int> unit_coordinate_bits;  // of a window coordinate, 1..16
+    std::optional<int> unit_depth_bits;       // of a depth, 1..32
+    std::optional<int> unit_report_queue;     // records that wait to be read, 1..65536
+    std::optional<int> max_regions;           // depth regions in one call, 1..65536
+
     bool emulates(std::string_view extension) const;
     bool hides(std::string_view extension) const;
     // True where the program sees the driver as it is.
