@@ -18,7 +18,16 @@ constexpr std::string_view kGood =
     "emulate = [\"GL_HP_occlusion_test\"]\n"
     "hide = [\"GL_ARB_occlusion_query\"]\n"
     "[query]\n"
-    "counter_bits = 24\n";
+    "counter_bits = 24\n"
+    "[unit]\n"
+    "counter_bits = 32\n"
+    "max_shapes = 100\n"
+    "pipes = 4\n"
+    "coordinate_bits = 12\n"
+    "depth_bits = 16\n"
+    "report_queue = 8\n"
+    "[region]\n"
+    "max_regions = 1\n";
 
 std::string replaced(std::string_view from, std::string_view to) {
     std::string text(kGood);
@@ -37,6 +46,13 @@ TEST(Device, a_good_file_is_read_whole) {
     EXPECT_TRUE(result.device->hides("GL_ARB_occlusion_query"));
     EXPECT_FALSE(result.device->hides("GL_ARB_occlusion_query2"));
     EXPECT_EQ(result.device->counter_bits, 24);
+    EXPECT_EQ(result.device->unit_counter_bits, 32);
+    EXPECT_EQ(result.device->unit_max_shapes, 100);
+    EXPECT_EQ(result.device->unit_pipes, 4);
+    EXPECT_EQ(result.device->unit_coordinate_bits, 12);
+    EXPECT_EQ(result.device->unit_depth_bits, 16);
+    EXPECT_EQ(result.device->unit_report_queue, 8);
+    EXPECT_EQ(result.device->max_regions, 1);
     EXPECT_FALSE(result.device->is_pass_through());
 }
 
@@ -60,8 +76,19 @@ TEST(Device, what_is_wrong_is_told_with_file_and_line) {
         {replaced("\"GL_ARB_occlusion_query\"", "17"),
          "f.toml:8: ", "something other than an extension name"},
         {replaced("counter_bits = 24", "counter_bits = 65"), "f.toml:10: ", "from 1 to 64"},
+        {replaced("counter_bits = 32", "counter_bits = 0"), "f.toml:12: ", "`counter_bits`"},
+        {replaced("max_shapes = 100", "max_shapes = 65537"), "f.toml:13: ", "from 1 to 65536"},
+        {replaced("pipes = 4", "pipes = 4.5"), "f.toml:14: ", "`pipes` is not a whole number from 1 to 64"},
+        {replaced("coordinate_bits = 12", "coordinate_bits = 17"), "f.toml:15: ", "from 1 to 16"},
+        {replaced("depth_bits = 16", "depth_bits = 33"), "f.toml:16: ", "from 1 to 32"},
+        {replaced("report_queue = 8", "report_queue = -1"), "f.toml:17: ", "from 1 to 65536"},
+        {replaced("report_queue = 8", "queue = 8"),
+         "f.toml:17: ", "unknown key `queue`, expected one of counter"},
+        {replaced("max_regions = 1", "max_regions = 65537"), "f.toml:19: ", "`max_regions`"},
+        {replaced("[region]", "[regions]"), "f.toml:18: ", "unknown key `regions`, expected one of name"},
         {replaced("[query]", "query = 3"), "f.toml:", ""},
         {replaced("[query]", "[query"), "f.toml:9: ", ""},
+        {replaced("[query]", "[\nquery]"), "f.toml:", "expected bare key"},
     };
     for (const Row& row : rows) {
         const DeviceOrError result = parse_device(row.text, "f.toml");
@@ -98,6 +125,16 @@ emulate = [EXTENSIONS]
     const DeviceOrError alone = with(R"("GL_NV_occlusion_query")");
     EXPECT_FALSE(alone.device);
     EXPECT_EQ(alone.error, "f.toml:5: GL_NV_occlusion_query requires GL_HP_occlusion_test beside it.");
+}
+
+TEST(Device, the_proposed_and_the_forgotten_extensions_can_be_emulated) {
+    for (const std::string_view name :
+         {"GL_EMU_depth_region_query", "GL_EMU_occlusion_unit", "GL_SGIX_instruments",
+          "GL_SGIX_occlusion_instrument", "GL_SGIX_depth_pass_instrument", "GL_HP_visibility_test"}) {
+        const DeviceOrError result = parse_device(replaced("GL_HP_occlusion_test", name), "f.toml");
+        ASSERT_TRUE(result.device) << result.error;
+        EXPECT_TRUE(result.device->emulates(name));
+    }
 }
 
 TEST(Device, the_driver_as_it_is_is_a_pass_through) {
