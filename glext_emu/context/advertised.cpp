@@ -86,7 +86,8 @@ const Advertised* advertise(Context& ctx, const Device& device) {
     std::vector<std::string> words;
     if (!ctx.kind.is_core_profile) words = words_of(string_or_empty(ctx.real->glGetString(GL_EXTENSIONS)));
     made.extensions = ctx.kind.version >= GlVersion{3, 0} ? indexed_extensions(ctx) : words;
-    // A device speaks of compatibility contexts; core-profile and ES contexts are as the driver makes them.
+    // A device speaks of compatibility contexts; core-profile and ES contexts are as the driver makes them,
+    // but for what is proposed for every profile.
     if (ctx.kind.is_compatibility()) {
         if (device.gl_version && *device.gl_version < ctx.kind.version) {
             made.version_differs = true;
@@ -96,6 +97,10 @@ const Advertised* advertise(Context& ctx, const Device& device) {
         }
         made.extensions_differ = edit(made.extensions, device);
         edit(words, device);
+    } else if (ctx.emulates_regions || ctx.emulates_unit) {
+        if (ctx.emulates_regions) made.extensions.emplace_back("GL_EMU_depth_region_query");
+        if (ctx.emulates_unit) made.extensions.emplace_back("GL_EMU_occlusion_unit");
+        made.extensions_differ = true;
     }
     for (const std::string& word : words) {
         if (!made.extension_string.empty()) made.extension_string += ' ';

@@ -28,6 +28,7 @@ void Context::update_hot() {
     if (slot.wants_segment()) hot |= kHotDraw | kHotPixels;
     if (follows_text && slot.counts_samples()) hot |= kHotDraw;
     if (follows_text && (slot.app_query != 0 || slot.open_segment != 0)) hot |= kHotPixels;
+    if (proposed.active_unit != 0 || (repeats_draws && recording.name != 0)) hot |= kHotDraw | kHotPixels;
     if (recording.name != 0) hot |= kHotGet;                                  // LIST_INDEX
     if (recording.name != 0 && follows_text) hot |= kHotEnable | kHotAttrib;  // MULTISAMPLE
     // Where nobody asks for them, Begin and End cost nothing.
@@ -57,6 +58,7 @@ void Context::set_inside_begin_end(bool is_inside) {
 
 // A Begin may fail for many reasons, and nothing tells but that a Get is answered.
 bool Context::confirm_begin_end() {
+    if (collected_primitive != 0) return true;  // the driver compiles it, and answers
     GLint nesting = -1;
     real->glGetIntegerv(GL_MAX_LIST_NESTING, &nesting);
     const bool is_inside = nesting < 0;

@@ -17,8 +17,10 @@
 #include "context/current.h"
 #include "context/device.h"
 #include "context/display_lists.h"
+#include "context/draw_surface.h"
 #include "context/frame_counts.h"
 #include "context/occlusion_slot.h"
+#include "context/proposed_queries.h"
 #include "occlusion_unit/clock.h"
 
 namespace glext_emu {
@@ -77,6 +79,9 @@ struct Context {
     bool emulates_test = false;        // GL_HP_occlusion_test
     bool emulates_nv_query = false;    // GL_NV_occlusion_query
     bool emulates_nvx_render = false;  // GL_NVX_conditional_render
+    bool emulates_regions = false;     // GL_EMU_depth_region_query
+    bool emulates_unit = false;        // GL_EMU_occlusion_unit
+    bool repeats_draws = false;        // so a list's draws have to stand alone
     bool follows_text = false;  // where the driver departs from it; false on a device that passes through
     bool records_operations =
         false;  // lists may hold what the driver must not compile, or the layer must see
@@ -87,11 +92,14 @@ struct Context {
     int own_calls = 0;                   // nested OwnCalls scopes
     bool tracks_begin_end = false;       // Begin and End come by
     bool inside_begin_end = false;       // as far as Begin, which may have failed, and End tell
-    GLint list_base = 0;  // while inside Begin/End, where it can neither change nor be asked for
+    GLuint collected_primitive = 0;  // the driver's list that takes a Begin/End pair which will be repeated
+    GLint list_base = 0;             // while inside Begin/End, where it can neither change nor be asked for
     ListRecording recording;
     std::vector<SavedEnable> attrib_stack;
     OcclusionSlot slot;
     ConditionalRender conditional;
+    ProposedQueries proposed;
+    DrawSurface draw_surface;  // behind the default framebuffer, for drawing
     occlusion_unit::Clock clock;
     FrameCounts frame;
 

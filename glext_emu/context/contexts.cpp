@@ -108,6 +108,8 @@ std::uint32_t always_hot(const Context& ctx) {
     const Settings& wanted = settings();
     constexpr std::uint32_t kCounting =
         kHotDraw | kHotPixels | kHotImmediate | kHotCall | kHotList | kHotQuery;
+    // Commands that the driver may lack are there where they are emulated.
+    constexpr std::uint32_t kSupplied = kHotNvquery | kHotNvxrender | kHotFardepth | kHotRegion | kHotUnit;
     std::uint32_t hot = 0;
     if (!wanted.report_path.empty()) hot |= kCounting;
     if (ctx.emulates_test) hot |= kHotEnable | kHotAttrib | kHotGet;
@@ -115,7 +117,9 @@ std::uint32_t always_hot(const Context& ctx) {
     if (ctx.clock.delays()) hot |= kHotQuery | kHotSync;
     if (ctx.records_operations) hot |= kHotCall | kHotList;
     if (ctx.advertised->version_differs || ctx.advertised->extensions_differ) hot |= kHotString | kHotGet;
-    if (ctx.clock.counts_calls()) hot |= kHotAll & ~(kHotNvquery | kHotNvxrender);
+    if (ctx.clock.counts_calls()) hot |= kHotAll & ~kSupplied;
+    if (ctx.emulates_regions) hot |= kHotRegion | kHotFardepth | kHotGet;
+    if (ctx.emulates_unit) hot |= kHotUnit | kHotFardepth | kHotGet;
     if (ctx.emulates_nv_query) hot |= kHotNvquery;
     if (ctx.emulates_nvx_render) hot |= kHotNvxrender;
     return hot;
@@ -124,13 +128,18 @@ std::uint32_t always_hot(const Context& ctx) {
 // What only the driver can tell, and only while the context is current.
 void initialise(Context& ctx) {
     ctx.kind = read_kind(ctx);
-    ctx.advertised = advertise(ctx, settings().device);
     if (ctx.kind.is_compatibility()) ctx.kind.attrib_stack_depth = get(ctx, GL_MAX_ATTRIB_STACK_DEPTH);
     const Device& device = settings().device;
     ctx.follows_text = !device.is_pass_through();
     ctx.emulates_test = ctx.kind.is_compatibility() && device.emulates("GL_HP_occlusion_test");
     ctx.emulates_nv_query = ctx.kind.is_compatibility() && device.emulates("GL_NV_occlusion_query");
     ctx.emulates_nvx_render = ctx.kind.is_compatibility() && device.emulates("GL_NVX_conditional_render");
+    // They are written against desktop GL of any profile; what answers them needs framebuffer objects.
+    const bool can_propose = !ctx.kind.is_es && ctx.kind.version >= GlVersion{3, 0};
+    ctx.emulates_regions = can_propose && device.emulates("GL_EMU_depth_region_query");
+    ctx.emulates_unit = can_propose && device.emulates("GL_EMU_occlusion_unit");
+    ctx.advertised = advertise(ctx, device);
+    ctx.repeats_draws = ctx.emulates_unit && ctx.kind.is_compatibility();
     ctx.records_operations = ctx.kind.is_compatibility() && (ctx.follows_text || ctx.clock.delays());
     ctx.always_hot = always_hot(ctx);
     ctx.is_initialised = true;
@@ -228,6 +237,7 @@ void buffers_swapped() {
     Context* const ctx = current.context;
     if (ctx == nullptr) return;
     ctx->clock.count_swap();
+    ctx->draw_surface.has_size = false;
     Report::instance().end_frame(*ctx);
 }
 

@@ -33,6 +33,7 @@ struct ListOperation {
 struct ListStep {
     GLuint real_list = 0;  // 0: the operation
     ListOperation operation{};
+    bool is_draw = false;  // the list is one draw, which can be repeated
 };
 
 struct ShareGroup;
@@ -82,6 +83,7 @@ struct ListRecording {
     std::vector<ListStep> steps;
     BeginEnd begin_end = BeginEnd::kUnchanged;  // what the open segment does so far
     bool was_list = false;                      // <name>, before it was compiled
+    bool is_in_draw_step = false;               // between the Begin and End of a draw that stands alone
     bool is_suspended = false;  // our own work is under way: commands are executed, not compiled
 
     // <change> is compiled.

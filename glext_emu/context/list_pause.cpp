@@ -22,6 +22,15 @@ GLuint make_hidden_list(Context& ctx) {
     return list;
 }
 
+void delete_hidden_list(Context& ctx, GLuint list) {
+    const OwnCalls own(ctx);
+    {
+        const std::lock_guard lock(ctx.share_group->mutex);
+        ctx.share_group->hidden_lists.erase(list);
+    }
+    ctx.real->glDeleteLists(list, 1);
+}
+
 void note_begin_end(ShareGroup& group, const ListRecording& recording) {
     const std::lock_guard lock(group.mutex);
     if (recording.begin_end == BeginEnd::kUnchanged) {
@@ -42,6 +51,20 @@ void close_step(Context& ctx) {
 void open_step(Context& ctx) {
     ctx.recording.segment = make_hidden_list(ctx);
     ctx.real->glNewList(ctx.recording.segment, ctx.recording.mode);
+}
+
+bool open_draw_step(Context& ctx) {
+    close_step(ctx);
+    const bool is_repeated_now =
+        ctx.recording.mode == GL_COMPILE_AND_EXECUTE && ctx.proposed.active_unit != 0;
+    ctx.recording.segment = make_hidden_list(ctx);
+    ctx.real->glNewList(ctx.recording.segment, is_repeated_now ? GL_COMPILE : ctx.recording.mode);
+    return is_repeated_now;
+}
+
+void close_draw_step(Context& ctx) {
+    close_step(ctx);
+    ctx.recording.steps.back().is_draw = true;
 }
 
 ListPause::ListPause(Context& ctx) : ctx_(ctx), is_pausing_(ctx.recording.is_open()) {

@@ -75,9 +75,8 @@ Known look_up(Context& ctx, GLuint list) {
 
 // Plays a list of the driver's own.
 void play(Context& ctx, GLuint real_list, BeginEnd begin_end) {
-    before_draw(ctx, unknown());
     if (begin_end == BeginEnd::kOpens) remember_list_base(ctx);
-    ctx.real->glCallList(real_list);
+    draw(ctx, unknown(), [&] { ctx.real->glCallList(real_list); });
     if (ctx.recording.is_open()) ctx.recording.follow(begin_end);
     if (begin_end != BeginEnd::kUnchanged && !ctx.recording.only_compiles()) {
         ctx.set_inside_begin_end(begin_end == BeginEnd::kOpens);
@@ -240,8 +239,7 @@ void call_lists(Context& ctx, GLsizei n, GLenum type, const void* lists) {
     const std::size_t size = element_size(type);
     const bool may_hold_ours = ctx.recording.is_open() || ctx.share_group->has_own_lists;
     if (n <= 0 || size == 0 || lists == nullptr || !ctx.records_operations || !may_hold_ours) {
-        before_draw(ctx, unknown());
-        return ctx.real->glCallLists(n, type, lists);
+        return draw(ctx, unknown(), [&] { ctx.real->glCallLists(n, type, lists); });
     }
     const auto* const bytes = static_cast<const std::byte*>(lists);
     if (ctx.recording.is_open() && !ctx.inside_begin_end) {

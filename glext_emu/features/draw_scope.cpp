@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What happens before a draw: the HP test's segment is opened when the first draw needs it, so that enabling
-// the test costs nothing, and the report counts.
+// What happens around a draw: the HP test's segment is opened when the first draw needs it, so that enabling
+// the test costs nothing; the report counts; and what the Occlusion Unit watches is drawn in a way that can
+// be repeated.
 #include "features/features.h"
 #include "features/list_recorder.h"
+
+#include <utility>
 
 namespace glext_emu::features {
 namespace {
@@ -34,11 +37,8 @@ bool counts_too_much(const Context& ctx, GLenum pixels) {
     return is_stencil && ctx.follows_text && !ctx.recording.is_open();
 }
 
-}  // namespace
-
+// A draw is about to be executed.
 void before_draw(Context& ctx, Triangles triangles) {
-    // A command that is only compiled draws nothing now.
-    if (ctx.recording.only_compiles() || ctx.inside_begin_end) return;
     count_draw(ctx, triangles);
     if (ctx.follows_text && ctx.slot.counts_samples()) {
         set_samples_per_count(ctx, samples_per_count(ctx));
@@ -48,37 +48,92 @@ void before_draw(Context& ctx, Triangles triangles) {
     if (ctx.slot.wants_segment() && !ctx.recording.is_open()) open_segment(ctx);
 }
 
+// Where draws may have to be repeated, each of them in a list is a step of its own.
+bool stands_alone(const Context& ctx) {
+    return ctx.repeats_draws && ctx.recording.is_open() && !ctx.inside_begin_end &&
+           ctx.recording.begin_end == BeginEnd::kUnchanged;
+}
+
+// Executes a draw that has only been compiled.
+void play_step(Context& ctx, GLuint list) {
+    ctx.recording.is_suspended = true;
+    draw(ctx, unknown(), [&] { ctx.real->glCallList(list); });
+    ctx.recording.is_suspended = false;
+}
+
+void draw_in_list(Context& ctx, Triangles triangles, DrawCall call) {
+    const bool is_still_to_do = open_draw_step(ctx);
+    if (!is_still_to_do && !ctx.recording.only_compiles()) before_draw(ctx, triangles);
+    call();
+    const GLuint list = ctx.recording.segment;
+    close_draw_step(ctx);
+    if (is_still_to_do) play_step(ctx, list);
+    open_step(ctx);
+}
+
+}  // namespace
+
+void draw(Context& ctx, Triangles triangles, DrawCall call) {
+    if (stands_alone(ctx)) return draw_in_list(ctx, triangles, call);
+    // A command that is only compiled draws nothing now.
+    if (ctx.recording.only_compiles() || ctx.inside_begin_end) return call();
+    before_draw(ctx, triangles);
+    if (ctx.proposed.active_unit != 0 && !ctx.recording.is_open()) [[unlikely]]
+        return draw_under_unit(ctx, call);
+    call();
+}
+
 void draw_pixels(Context& ctx, GLsizei width, GLsizei height, GLenum format, GLenum type,
                  const void* pixels) {
-    before_draw(ctx, no_triangles());
     std::optional<CountPause> pause;
     if (counts_too_much(ctx, format)) pause.emplace(ctx);
-    ctx.real->glDrawPixels(width, height, format, type, pixels);
+    draw(ctx, no_triangles(), [&] { ctx.real->glDrawPixels(width, height, format, type, pixels); });
 }
 
 void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
-    before_draw(ctx, no_triangles());
     std::optional<CountPause> pause;
     if (counts_too_much(ctx, type)) pause.emplace(ctx);
-    ctx.real->glCopyPixels(x, y, width, height, type);
+    draw(ctx, no_triangles(), [&] { ctx.real->glCopyPixels(x, y, width, height, type); });
 }
 
+// A primitive that will be repeated is collected in a list of the driver's and drawn from there.
 void begin(Context& ctx, GLenum mode) {
-    before_draw(ctx, unknown());
-    if (is_primitive(mode)) {
-        if (ctx.recording.is_open()) ctx.recording.follow(BeginEnd::kOpens);
-        if (!ctx.recording.only_compiles()) {
-            remember_list_base(ctx);
-            ctx.set_inside_begin_end(true);
-        }
+    if (!is_primitive(mode) || ctx.inside_begin_end) return ctx.real->glBegin(mode);
+
+    ListRecording& recording = ctx.recording;
+    if (stands_alone(ctx)) {
+        recording.is_in_draw_step = true;
+        if (open_draw_step(ctx)) ctx.collected_primitive = recording.segment;
+    } else if (ctx.proposed.active_unit != 0 && !recording.is_open()) {
+        ctx.collected_primitive = make_hidden_list(ctx);
+        ctx.real->glNewList(ctx.collected_primitive, GL_COMPILE);
+    }
+    if (recording.is_open()) recording.follow(BeginEnd::kOpens);
+    if (!recording.only_compiles()) {
+        if (ctx.collected_primitive == 0) before_draw(ctx, unknown());
+        remember_list_base(ctx);
+        ctx.set_inside_begin_end(true);
     }
     ctx.real->glBegin(mode);
 }
 
 void end(Context& ctx) {
-    if (ctx.recording.is_open()) ctx.recording.follow(BeginEnd::kCloses);
-    if (!ctx.recording.only_compiles()) ctx.set_inside_begin_end(false);
+    ListRecording& recording = ctx.recording;
+    if (recording.is_open()) recording.follow(BeginEnd::kCloses);
+    if (!recording.only_compiles()) ctx.set_inside_begin_end(false);
     ctx.real->glEnd();
+
+    const GLuint collected = std::exchange(ctx.collected_primitive, 0);
+    if (recording.is_in_draw_step && recording.begin_end == BeginEnd::kUnchanged) {
+        recording.is_in_draw_step = false;
+        close_draw_step(ctx);
+        if (collected != 0) play_step(ctx, collected);
+        open_step(ctx);
+    } else if (collected != 0) {
+        ctx.real->glEndList();
+        draw(ctx, unknown(), [&] { ctx.real->glCallList(collected); });
+        delete_hidden_list(ctx, collected);
+    }
 }
 
 }  // namespace glext_emu::features

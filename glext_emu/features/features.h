@@ -4,12 +4,14 @@
 #pragma once
 
 #include "context/context.h"
+#include "features/draw_call.h"
 #include "features/triangles.h"
 
 namespace glext_emu::features {
 
-// draw_scope.cpp: a draw is about to be executed.
-void before_draw(Context& ctx, Triangles triangles);
+// draw_scope.cpp
+// Executes a draw; everything that wants to know of draws, or to repeat them, is told here.
+void draw(Context& ctx, Triangles triangles, DrawCall call);
 void draw_pixels(Context& ctx, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
 void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type);
 void begin(Context& ctx, GLenum mode);
@@ -30,6 +32,30 @@ void push_attrib(Context& ctx, GLbitfield mask);
 void pop_attrib(Context& ctx);
 // Reads the flag as a Get does: it waits for the clock, and the flag is FALSE afterwards.
 bool read_test_result(Context& ctx);
+
+// depth_regions.cpp: GL_EMU_depth_region_query.
+GLint max_depth_regions();
+void far_depth_emu(Context& ctx, GLenum end);
+void get_depth_regionfv_emu(Context& ctx, GLenum pname, GLint x, GLint y, GLsizei width, GLsizei height,
+                            GLfloat* value);
+void get_depth_regionsfv_emu(Context& ctx, GLenum pname, GLsizei count, const GLint* rectangles,
+                             GLfloat* values);
+void query_depth_regions_emu(Context& ctx, GLenum pname, GLsizei count, const GLint* rectangles,
+                             const GLuint* ids);
+void query_depth_regions_buffer_emu(Context& ctx, GLenum pname, GLsizei count, const GLint* rectangles,
+                                    GLuint buffer, GLintptr offset);
+
+// occlusion_unit.cpp, occlusion_shapes.cpp: GL_EMU_occlusion_unit.
+GLint max_occlusion_shapes();
+GLint unit_counter_bits();
+void begin_occlusion_unit_emu(Context& ctx, GLbitfield registers, GLuint id);
+void end_occlusion_unit_emu(Context& ctx);
+void occlusion_unit_shapes_emu(Context& ctx, GLbitfield registers, GLenum shape, GLsizei count,
+                               const GLfloat* vertices, const GLfloat* matrix, GLuint id);
+void get_occlusion_records_emu(Context& ctx, GLuint id, GLsizei first, GLsizei count,
+                               GLocclusionrecordEMU* records);
+// A draw while a unit's query is active.
+void draw_under_unit(Context& ctx, DrawCall call);
 
 // query_objects.cpp
 void gen_queries(Context& ctx, GLsizei n, GLuint* ids);

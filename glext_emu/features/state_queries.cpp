@@ -3,6 +3,8 @@
 // five Gets.
 #include "features/features.h"
 
+#include <algorithm>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -25,7 +27,7 @@ struct Answer {
         kOwn,      // state that the driver does not have
         kInstead,  // of what the driver says
     } kind = kForward;
-    GLint value = 0;
+    GLint64 value = 0;
 };
 
 // True for what <answer> may not leave to the driver; asked first, since an answer may have effects.
@@ -37,6 +39,14 @@ bool is_ours(const Context& ctx, GLenum pname) {
         case GL_PIXEL_COUNTER_BITS_NV:
         case GL_CURRENT_OCCLUSION_QUERY_ID_NV:
             return ctx.emulates_nv_query;
+        case GL_FAR_DEPTH_EMU:
+            return ctx.emulates_regions || ctx.emulates_unit;
+        case GL_MAX_DEPTH_REGIONS_EMU:
+        case GL_DEPTH_REGION_PIXELS_READ_EMU:
+            return ctx.emulates_regions;
+        case GL_MAX_OCCLUSION_SHAPES_EMU:
+        case GL_OCCLUSION_COUNTER_BITS_EMU:
+            return ctx.emulates_unit;
         case GL_LIST_INDEX:
             return ctx.recording.name != 0;
         case GL_MAJOR_VERSION:
@@ -64,6 +74,16 @@ Answer answer(Context& ctx, GLenum pname) {
     const Advertised& advertised = *ctx.advertised;
     const bool is_before_3_0 = advertised.version_differs && advertised.version < GlVersion{3, 0};
     switch (pname) {
+        case GL_FAR_DEPTH_EMU:
+            return {Answer::kOwn, ctx.proposed.far_end};
+        case GL_MAX_DEPTH_REGIONS_EMU:
+            return {Answer::kOwn, max_depth_regions()};
+        case GL_DEPTH_REGION_PIXELS_READ_EMU:
+            return {Answer::kOwn, static_cast<GLint64>(ctx.proposed.pixels_read)};
+        case GL_MAX_OCCLUSION_SHAPES_EMU:
+            return {Answer::kOwn, max_occlusion_shapes()};
+        case GL_OCCLUSION_COUNTER_BITS_EMU:
+            return {Answer::kOwn, unit_counter_bits()};
         case GL_MAJOR_VERSION:
         case GL_MINOR_VERSION:
             // These names, and the next three, came with OpenGL 3.0 and 3.2.
@@ -77,8 +97,9 @@ Answer answer(Context& ctx, GLenum pname) {
             return {Answer::kInstead, static_cast<GLint>(advertised.extensions.size())};
         case GL_LIST_INDEX:
             // The driver's list may be a part of the program's.
-            return ctx.recording.name != 0 ? Answer{Answer::kInstead, static_cast<GLint>(ctx.recording.name)}
-                                           : Answer{};
+            return ctx.recording.name != 0
+                       ? Answer{Answer::kInstead, static_cast<GLint64>(ctx.recording.name)}
+                       : Answer{};
         case GL_CONTEXT_FLAGS:
             return is_before_3_0 ? Answer{Answer::kRefuse} : Answer{};
         case GL_CONTEXT_PROFILE_MASK:
@@ -101,7 +122,9 @@ void get(Context& ctx, GLenum pname, T* params, void (*real)(GLenum, T*)) {
     if constexpr (std::is_same_v<T, GLboolean>) {
         *params = found.value != 0 ? GL_TRUE : GL_FALSE;
     } else {
-        *params = static_cast<T>(found.value);
+        constexpr GLint64 kMost = std::is_same_v<T, GLint> ? std::numeric_limits<GLint>::max()
+                                                           : std::numeric_limits<GLint64>::max();
+        *params = static_cast<T>(std::min(found.value, kMost));
     }
 }
 

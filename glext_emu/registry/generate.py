@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Generates the layer's boring half from gl.xml and hooks.list.
+"""Generates the layer's boring half from gl.xml, proposed.xml and hooks.list.
 
-  generate.py --registry gl.xml --hooks hooks.list --out DIR
+  generate.py --registry gl.xml [--registry proposed.xml ...] --hooks hooks.list --out DIR
 
 writes real_gl.h, real_gl_names.inc, hot_bits.h and entry.cpp. Exit status 1, with one sentence on stderr,
 where hooks.list and gl.xml disagree or a draw, query or conditional-render command is not classified.
@@ -19,12 +19,12 @@ LOOKS_LIKE_DRAW_OR_QUERY = re.compile(
     r"|^gl(Named)?FramebufferDrawBuffer")
 
 # Classes of commands that a driver may lack: where a device emulates something, they have a wrapper even so.
-SUPPLIED = {"nvquery", "nvxrender"}
+SUPPLIED = {"nvquery", "nvxrender", "fardepth", "region", "unit"}
 
 # Classes whose commands may stand between Begin and End, or look for themselves whether they do.
 UNGUARDED = {"immediate", "call", "enable", "get"}
 
-BANNER = "// Generated from gl.xml and hooks.list. Do not edit.\n"
+BANNER = "// Generated from the registries and hooks.list. Do not edit.\n"
 
 
 class Command:
@@ -52,11 +52,15 @@ def fail(sentence):
     sys.exit(f"generate.py: {sentence}")
 
 
-def read_registry(path):
+def read_registry(paths):
+    """The commands of gl.xml and of further registries in its form, by name."""
     commands = {}
-    for element in ET.parse(path).getroot().find("commands"):
-        command = Command(element)
-        commands[command.name] = command
+    for path in paths:
+        for element in ET.parse(path).getroot().find("commands"):
+            command = Command(element)
+            if command.name in commands:
+                fail(f"{path}: {command.name} stands in an earlier registry")
+            commands[command.name] = command
     for command in commands.values():  # walk each alias to its root
         seen = {command.name}
         while command.alias and commands[command.alias].alias and command.alias not in seen:
@@ -94,7 +98,7 @@ def read_hooks(path, commands):
             fail(f"{path}:{number}: expected `glName`, `glName = function` or `glName : triangles`, found `{line}`")
         name, function, triangles = match.groups()
         if name not in commands:
-            fail(f"{path}:{number}: gl.xml has no command {name}")
+            fail(f"{path}:{number}: no registry has a command {name}")
         if name in hooks or name in real:
             fail(f"{path}:{number}: {name} stands twice")
         if section == "real":
@@ -129,7 +133,7 @@ def check_every_draw_and_query_is_classified(commands, hooks, leave):
 
 def real_gl_header(commands, names):
     fields = "\n".join(f"    {commands[n].returns} (*{n})({commands[n].parameters()});" for n in names)
-    return (f"{BANNER}#pragma once\n#include <GL/gl.h>\n#include <GL/glext.h>\n\n"
+    return (f"{BANNER}#pragma once\n#include <GL/gl.h>\n#include <GL/glext.h>\n#include <GL/glext_emu.h>\n\n"
             "namespace glext_emu {\n\n"
             "// The driver's own functions, in the order of real_gl_names.inc; null where the driver has none.\n"
             f"struct RealGl {{\n{fields}\n}};\n\n}}  // namespace glext_emu\n")
@@ -151,7 +155,7 @@ def wrapper(command, section, how):
     if section in SUPPLIED:
         forward = f"return current.real->{command.name} == nullptr ? {command.returns}() : {call};"
     if section == "draw":
-        body = f"    features::before_draw(ctx, features::{how});\n    return {call};"
+        body = f"    features::draw(ctx, features::{how}, [&] {{ {call}; }});"
     else:
         arguments = ", ".join(["ctx"] + [name for _, name in command.params])
         body = f"    return features::{how}({arguments});"
@@ -180,7 +184,7 @@ def entry_source(commands, hooks):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--registry", type=pathlib.Path, required=True)
+    parser.add_argument("--registry", type=pathlib.Path, action="append", required=True)
     parser.add_argument("--hooks", type=pathlib.Path, required=True)
     parser.add_argument("--out", type=pathlib.Path, required=True)
     args = parser.parse_args()

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Generates the functions that the export front end has under GL's own names.
 
-  generate_exports.py --registry gl.xml --hooks hooks.list --exports exports.list --out exported.cpp
+  generate_exports.py --registry gl.xml [--registry ...] --hooks hooks.list --exports exports.list --out exported.cpp
 
 The wrappers themselves are generate.py's. Exit status 1, with one sentence on stderr, where a line of exports.list is
 no prototype.
@@ -65,7 +65,8 @@ def prototypes(path):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    for name in ("registry", "hooks", "exports", "out"):
+    parser.add_argument("--registry", type=pathlib.Path, action="append", required=True)
+    for name in ("hooks", "exports", "out"):
         parser.add_argument(f"--{name}", type=pathlib.Path, required=True)
     args = parser.parse_args()
 

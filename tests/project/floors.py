@@ -63,7 +63,8 @@ FLOORS = {
 # Tests look at everything.
 EVERYWHERE = ("tests",)
 
-# What the build generates from gl.xml and the device files, and the floor that it stands on.
+# What the build generates from gl.xml and the device files, and the floor that it stands on. The header of the proposed
+# extensions, GL/glext_emu.h, is everybody's, as an installed one.
 GENERATED = {
     "real_gl.h": "glext_emu/real_gl",
     "real_gl_names.inc": "glext_emu/real_gl",
