@@ -49,8 +49,24 @@ struct Hooks {
     static EGLBoolean make_current(EGLDisplay display, EGLSurface draw, EGLSurface read, EGLContext context) {
         context_leaves_thread();
         const EGLBoolean done = real().make_current(display, draw, read, context);
-        if (done) context_made_current("egl", real_gl_of(kDriver), context);
+        if (!done) return done;
+        context_made_current("egl", real_gl_of(kDriver), context);
+        if (context == EGL_NO_CONTEXT) return done;
+        current.context->draw_surface = {.ask_size = surface_size,
+                                         .display = display,
+                                         .name = reinterpret_cast<std::uintptr_t>(draw),
+                                         .exists = draw != EGL_NO_SURFACE};
         return done;
+    }
+    static DrawSurface::Size surface_size(const DrawSurface& drawn) {
+        const auto ask = reinterpret_cast<EGLBoolean (*)(EGLDisplay, EGLSurface, EGLint, EGLint*)>(
+            driver_function(kDriver, "eglQuerySurface"));
+        const auto surface = reinterpret_cast<EGLSurface>(drawn.name);
+        EGLint width = 0;
+        EGLint height = 0;
+        ask(drawn.display, surface, EGL_WIDTH, &width);
+        ask(drawn.display, surface, EGL_HEIGHT, &height);
+        return {width, height};
     }
     static EGLBoolean release_thread() {
         context_leaves_thread();

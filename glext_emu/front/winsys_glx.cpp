@@ -49,9 +49,22 @@ struct Hooks {
         }
         return context;
     }
-    static void made_current(Display* display, GLXContext context) {
+    static void made_current(Display* display, GLXDrawable draw, GLXContext context) {
         const bool is_reached = context != nullptr && is_direct(display, context);
         context_made_current("glx", real_gl_of(kDriver), is_reached ? context : nullptr);
+        if (!is_reached) return;
+        current.context->draw_surface = {
+            .ask_size = surface_size, .display = display, .name = draw, .exists = draw != None};
+    }
+    static DrawSurface::Size surface_size(const DrawSurface& drawn) {
+        const auto ask = reinterpret_cast<void (*)(Display*, GLXDrawable, int, unsigned*)>(
+            driver_function(kDriver, "glXQueryDrawable"));
+        auto* const display = static_cast<Display*>(drawn.display);
+        unsigned width = 0;
+        unsigned height = 0;
+        ask(display, drawn.name, GLX_WIDTH, &width);
+        ask(display, drawn.name, GLX_HEIGHT, &height);
+        return {static_cast<GLsizei>(width), static_cast<GLsizei>(height)};
     }
 
     static GLXContext create(Display* display, XVisualInfo* visual, GLXContext share, Bool direct) {
@@ -87,14 +100,14 @@ struct Hooks {
     static Bool make_current(Display* display, GLXDrawable drawable, GLXContext context) {
         context_leaves_thread();
         const Bool done = real().make_current(display, drawable, context);
-        if (done) made_current(display, context);
+        if (done) made_current(display, drawable, context);
         return done;
     }
     static Bool make_context_current(Display* display, GLXDrawable draw, GLXDrawable read,
                                      GLXContext context) {
         context_leaves_thread();
         const Bool done = real().make_context_current(display, draw, read, context);
-        if (done) made_current(display, context);
+        if (done) made_current(display, draw, context);
         return done;
     }
     static void swap(Display* display, GLXDrawable drawable) {

@@ -60,7 +60,9 @@ struct Hooks {
                                   GLsizei height) {
         context_leaves_thread();
         const GLboolean done = real().make_current(context, buffer, type, width, height);
-        if (done) context_made_current("osmesa", real_gl_of(kDriver), context);
+        if (!done) return done;
+        context_made_current("osmesa", real_gl_of(kDriver), context);
+        if (context != nullptr) current.context->draw_surface = {.exists = true, .size = {width, height}};
         return done;
     }
     static void finish() {

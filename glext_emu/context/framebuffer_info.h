@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What the DRAW framebuffer is made of, as far as questions about its depths and samples need it.
+#pragma once
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+namespace glext_emu {
+
+struct Context;
+
+struct FramebufferInfo {
+    GLsizei width = 0;  // in pixels; of attachments of different sizes what they have in common
+    GLsizei height = 0;
+    GLint samples = 0;     // 0: single-sampled
+    GLint layers = 0;      // 0: not layered
+    GLint depth_bits = 0;  // 0: no depth buffer
+    bool has_float_depth = false;
+    GLint stencil_bits = 0;
+    bool is_default = false;
+    bool is_complete = false;  // all else is 0 where it is not
+};
+
+// Changes no state and leaves no error. A drawable's size is that of the last time that a driver took it
+// over: when the context was made current, buffers were swapped or the program changed its viewport.
+FramebufferInfo draw_framebuffer_info(Context& ctx);
+
+}  // namespace glext_emu
