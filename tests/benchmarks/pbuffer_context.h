@@ -12,7 +12,7 @@
 namespace benchmarks {
 
 // Makes it current in this thread, or ends the program with status 1 and one sentence.
-inline void make_pbuffer_context(int width, int height) {
+inline void make_pbuffer_context(int width, int height, int stencil_bits = 0) {
     const auto fail = [](const char* step) {
         std::fprintf(stderr, "no context: %s failed, EGL error 0x%x\n", step,
                      static_cast<unsigned>(eglGetError()));
@@ -30,6 +30,8 @@ inline void make_pbuffer_context(int width, int height) {
                              8,
                              EGL_DEPTH_SIZE,
                              24,
+                             EGL_STENCIL_SIZE,
+                             stencil_bits,
                              EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
