@@ -20,7 +20,7 @@ KINDS = (
     ("cli", r"(CLI|fmt|nlohmann)/"),
     ("image", r"png\.h"),
     ("model", r"(assimp/|meshoptimizer\.h)"),
-    ("test", r"(gtest|gmock|benchmark)/"),
+    ("test", r"(gtest|gmock|benchmark|rapidcheck)/|rapidcheck\.h"),
     ("window", r"(SDL2|GLFW)/"),
     ("std", r"[a-z_0-9]+$"),
     ("std", r"(assert|ctype|errno|float|inttypes|limits|locale|math|setjmp|signal|stdarg|stdbool|stddef)\.h$"),
