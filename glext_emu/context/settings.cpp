@@ -51,6 +51,12 @@ SettingsOrError parse_settings(const char* text) {
             settings.latency = *latency;
         } else if (key == "report") {
             settings.report_path = value;
+        } else if (key == "probe") {
+            if (value != "unit") {
+                result.error = "`" + std::string(value) + "` is not a probe, expected unit.";
+                return result;
+            }
+            settings.probes_unit = true;
         } else if (key == "driver") {
             if (!is_driver_name(value)) {
                 result.error =
@@ -62,9 +68,13 @@ SettingsOrError parse_settings(const char* text) {
             settings.doctor_path = value;
         } else {
             result.error =
-                "`" + std::string(item) + "` is not a setting, expected device=, clock= or report=.";
+                "`" + std::string(item) + "` is not a setting, expected device=, clock=, report= or probe=.";
             return result;
         }
+    }
+    if (settings.probes_unit && settings.report_path.empty()) {
+        result.error = "The probe writes into the report, so probe= wants report=FILE.";
+        return result;
     }
     DeviceOrError device = load_device(device_name);
     if (device.device) {

@@ -4,6 +4,7 @@
 //   device=NAME_OR_PATH   a built-in device or a .toml file           default native
 //   clock=CLOCK           none, wall=US, calls=N, frames=N            default none
 //   report=FILE           JSON report of queries and draws            default none
+//   probe=unit            the Occlusion Unit watches the program's queries and reports   default none
 //   driver=NAME           the GLVND vendor that the vendor library stands before   default mesa
 //   doctor=FILE           the launcher's `doctor` listens here        default none
 //
@@ -23,7 +24,8 @@ struct Settings {
     Device device;
     occlusion_unit::Latency latency;
     std::string report_path;
-    std::string driver;  // empty: mesa
+    bool probes_unit = false;  // only with a report
+    std::string driver;        // empty: mesa
     std::string doctor_path;
 
     // True where the layer has nothing to do and leaves the driver alone.

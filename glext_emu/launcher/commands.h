@@ -19,6 +19,7 @@ struct RunOptions {
     std::string device = "native";
     std::string clock = "none";
     std::string report;
+    std::string probe;  // unit; empty: none
     std::string front;  // seam, vendor or export; empty: what the program's file asks for
     bool is_verbose = false;
     std::vector<std::string> program;  // and its arguments
@@ -29,6 +30,10 @@ struct RunOptions {
 int run(const RunOptions& options);
 
 int list_devices(bool as_json);
+
+// What the query hardware of these devices, built-in or files, is built of; of all built-in ones if <names>
+// is empty.
+int print_costs(const std::vector<std::string>& names, bool as_json);
 
 // Runs the program for at most <seconds> and says what the layer saw, or why it saw nothing.
 int doctor(const RunOptions& options, int seconds);

@@ -115,6 +115,11 @@ Environment environment_for(const RunOptions& options, const std::string& doctor
     std::string settings =
         "device=" + (is_path ? absolute(options.device) : options.device) + ",clock=" + options.clock;
     if (!options.report.empty()) settings += ",report=" + absolute(options.report);
+    if (!options.probe.empty()) {
+        if (options.report.empty())
+            throw BadUse("--probe writes into the report, so it wants --report FILE.");
+        settings += ",probe=" + options.probe;
+    }
     if (!doctor_file.empty()) settings += ",doctor=" + doctor_file;
 
     const std::string program = find_program(options.program.front());

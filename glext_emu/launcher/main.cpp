@@ -15,7 +15,9 @@ constexpr const char* kFooter = R"(examples
   glext-emu run --device visualize-fx -- ./my_program             1997: one boolean occlusion test at a time
   glext-emu run --device geforce-fx-5950 --clock wall=50 -- ...   2003: query objects, results 50 us late
   glext-emu run --device mesa --report report.json -- ...         count queries, waits, draws per frame
+  glext-emu run --probe unit --report report.json -- ...          what an Occlusion Unit would have told it
   glext-emu run --front vendor -- ...                             as a GLVND vendor library, without a preload
+  glext-emu devices --cost proposed-occlusion-unit                what such hardware is built of
   glext-emu doctor -- ./my_program                                is the layer under it, and if not, why
 
 GLEXT_EMU=0 in the environment switches the layer off.)";
@@ -43,6 +45,10 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     run_command->add_option("--report", options.report,
                             "write queries, waits and draws per frame to this JSON file");
+    run_command->add_option(
+        "--probe", options.probe,
+        "unit: for each occlusion query of the program, write what the Occlusion Unit would "
+        "have told it into the report");
     const char* const front_help =
         "how it gets under the program: seam, vendor or export (see docs/interposing.md); by itself export "
         "for a "
@@ -53,6 +59,12 @@ int main(int argc, char** argv) {
     bool as_json = false;
     CLI::App* const devices_command = app.add_subcommand("devices", "list the built-in devices");
     devices_command->add_flag("--json", as_json, "as one JSON array");
+    bool is_cost = false;
+    std::vector<std::string> cost_devices;
+    CLI::Option* const cost_option =
+        devices_command->add_flag("--cost", is_cost, "what the query hardware of devices is built of");
+    devices_command->add_option("device", cost_devices, "with --cost: only these, built-in or .toml files")
+        ->needs(cost_option);
 
     int seconds = 5;
     CLI::App* const doctor_command =
@@ -85,7 +97,7 @@ int main(int argc, char** argv) {
     options.program = std::move(program);
     try {
         if (*run_command) return run(options);
-        if (*devices_command) return list_devices(as_json);
+        if (*devices_command) return is_cost ? print_costs(cost_devices, as_json) : list_devices(as_json);
         return doctor(options, seconds);
     } catch (const std::exception& error) {
         fmt::print(stderr, "glext-emu: {}\n", error.what());

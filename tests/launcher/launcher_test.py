@@ -46,6 +46,8 @@ class Run(unittest.TestCase):
                 (["run", "--device", "/no/such.toml", "--", "true"], "cannot be opened"),
                 (["run", "--report", "/no/such/report.json", "--", "true"], "cannot be written"),
                 (["run", "--report", "/etc/passwd", "--", "true"], "is not a report"),
+                (["run", "--probe", "unit", "--", "true"], "wants --report FILE"),
+                (["run", "--probe", "hp", "--report", "/tmp/r", "--", "true"], "expected unit"),
                 (["run", "--report", "/tmp/a,b", "--", "true"], "must not hold a comma"),
                 (["doctor"], "there is no program to look at"),
                 ([], "subcommand")):

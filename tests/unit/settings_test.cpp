@@ -39,6 +39,17 @@ TEST(Settings, all_keys_are_read) {
     EXPECT_EQ(result.settings.report_path, "/tmp/a=b.json");
 }
 
+TEST(Settings, the_probe_reports_so_it_wants_a_report) {
+    const SettingsOrError result = parse_settings("probe=unit,report=/tmp/r.json");
+    EXPECT_EQ(result.error, "");
+    EXPECT_TRUE(result.settings.probes_unit);
+    EXPECT_FALSE(result.settings.steps_aside());
+    EXPECT_FALSE(parse_settings("report=/tmp/r.json").settings.probes_unit);
+    EXPECT_NE(parse_settings("probe=unit").error.find("wants report=FILE"), std::string::npos);
+    EXPECT_NE(parse_settings("probe=hp,report=/tmp/r.json").error.find("is not a probe, expected unit"),
+              std::string::npos);
+}
+
 TEST(Settings, what_is_wrong_is_told_in_one_sentence) {
     EXPECT_NE(parse_settings("clock=soon").error.find("is not a clock, expected none"), std::string::npos);
     EXPECT_NE(parse_settings("dveice=mesa").error.find("is not a setting, expected device="),
