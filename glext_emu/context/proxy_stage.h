@@ -10,8 +10,9 @@
 
 #include <vector>
 
+#include "context/fragment_tests.h"
 #include "context/unit_run.h"
-#include "occlusion_unit/record_arithmetic.h"
+#include "context/unit_stages.h"
 
 namespace glext_emu {
 
@@ -22,15 +23,15 @@ class ProxyMarks final : public DriverMarks {
     ProxyMarks(GLbitfield registers, occlusion_unit::FarEnd far_end);
 
     // True where a draw of points, lines or polygons with the program's present state can be marked exactly:
-    // drawn beforehand with writes switched off, or, where writes_nothing, drawn once. Not for pixel
-    // rectangles and bitmaps.
-    static bool serves(Context& ctx, GLbitfield registers, occlusion_unit::FarEnd far_end);
-    // True where a draw changes neither colour nor depth nor stencil, so that it can itself be the marked
-    // one.
-    static bool writes_nothing(Context& ctx);
+    // made beforehand with writes to colour, depth and stencil switched off, or, where it writes nothing, as
+    // it is. Not for pixel rectangles and bitmaps.
+    static bool serves(Context& ctx, GLbitfield registers, occlusion_unit::FarEnd far_end,
+                       const FragmentTests& tests);
+    // True where a draw changes neither colour nor depth nor stencil.
+    static bool writes_nothing(Context& ctx, const FragmentTests& tests);
 
-    // Around one call of the driver's that draws, which is not between Begin and End: binds the stage and the
-    // marks, switches off writes to colour, depth and stencil, and undoes all that. Only where serves.
+    // Around one call of the driver's that draws and writes nothing, not between Begin and End; only where
+    // serves. Binds the stage and the marks, and undoes it.
     void begin_draw(Context& ctx);
     void end_draw(Context& ctx);
 
@@ -39,30 +40,22 @@ class ProxyMarks final : public DriverMarks {
     void drop(Context& ctx) override;
 
   private:
-    // Marks in one buffer of the driver's: a key of the depth, a word for each column and each row of pixels.
+    // Marks in one buffer of the driver's: a key of the depth, then a word for each column and each row of
+    // pixels.
     struct Sheet {
-        GLuint buffer = 0;
-        GLsizeiptr bytes = 0;
-        GLint columns = 0;
-        GLint rows = 0;
-        GLint depth_bits = 0;  // 0: no depth buffer
-        bool has_float_depth = false;
+        ResultBuffers::Buffer buffer;
+        GLint size = 0;  // columns, and rows: of the larger
+        DepthPrecision precision;
     };
-    // Words before those of the first column.
-    static constexpr GLint kHeaderWords = 4;
 
     Sheet& sheet_for(Context& ctx);
+    occlusion_unit::Record read(Context& ctx, const Sheet& sheet) const;
 
     GLbitfield registers_;
     occlusion_unit::FarEnd far_end_;
-    std::vector<Sheet> sheets_;  // a new one where the framebuffer has grown, or has another format
+    std::vector<Sheet> sheets_;  // a further one where the framebuffer has grown, or has another format
+    ResultBinding binding_;
     GLsync fence_ = nullptr;
-    // What begin_draw has changed.
-    bool masks_are_off_ = false;
-    GLint max_draw_buffers_ = 0;
-    GLboolean color_masks_[8][4] = {};
-    GLboolean depth_mask_ = GL_FALSE;
-    GLint stencil_masks_[2] = {};
 };
 
 }  // namespace glext_emu
