@@ -1,9 +1,129 @@
 // SPDX-License-Identifier: MIT
-#include "features/features.h"
+// GL_EMU_depth_region_query: what the depth buffer holds inside a rectangle. Hey, Tobler, Purgathofer,
+// "Real-Time Occlusion Culling with a Lazy Occlusion Grid", 2001, ask hardware for a state ("is all of this
+// tile occluded?") and for a furthest z; docs/extensions/EMU_depth_region_query.txt is the text.
+//
+// A query is evaluated when it is asked; the clock says when its result may be seen.
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <span>
+#include <vector>
 
+#include "context/depth_reader.h"
+#include "context/framebuffer_info.h"
 #include "context/settings.h"
+#include "features/features.h"
+#include "features/query_buffers.h"
+#include "features/stall.h"
 
 namespace glext_emu::features {
+namespace {
+
+struct Regions {
+    GLenum pname;
+    FramebufferInfo framebuffer;
+    std::vector<Rect> rects;  // clipped
+};
+
+// The regions of a command, or nothing, with the error raised.
+std::optional<Regions> regions_of(Context& ctx, GLenum pname, GLsizei count, const GLint* rectangles) {
+    const bool is_known =
+        pname == GL_REGION_OCCLUDED_EMU || pname == GL_FURTHEST_DEPTH_EMU || pname == GL_NEAREST_DEPTH_EMU;
+    if (!is_known) return ctx.raise(GL_INVALID_ENUM), std::nullopt;
+    if (count < 0 || count > max_depth_regions()) return ctx.raise(GL_INVALID_VALUE), std::nullopt;
+    for (GLsizei i = 0; i < count; ++i) {
+        const GLint* const size = rectangles + 4 * i + 2;
+        if (size[0] < 0 || size[1] < 0) return ctx.raise(GL_INVALID_VALUE), std::nullopt;
+    }
+    Regions regions{pname, draw_framebuffer_info(ctx), {}};
+    const FramebufferInfo& framebuffer = regions.framebuffer;
+    if (!framebuffer.is_complete) return ctx.raise(GL_INVALID_FRAMEBUFFER_OPERATION), std::nullopt;
+    if (framebuffer.depth_bits == 0) return ctx.raise(GL_INVALID_OPERATION), std::nullopt;
+    regions.rects.reserve(static_cast<std::size_t>(count));
+    for (GLsizei i = 0; i < count; ++i) {
+        const GLint* const rect = rectangles + 4 * i;
+        regions.rects.push_back(
+            clipped({rect[0], rect[1], rect[2], rect[3]}, framebuffer.width, framebuffer.height));
+    }
+    return regions;
+}
+
+// One value a region, or nothing where the driver cannot tell, with the error raised.
+std::optional<std::vector<GLfloat>> evaluate(Context& ctx, const Regions& regions) {
+    const bool is_far_at_one = ctx.proposed.far_end == GL_ONE;
+    const bool asks_for_nearest = regions.pname == GL_NEAREST_DEPTH_EMU;
+    const DepthEnd end = is_far_at_one != asks_for_nearest ? DepthEnd::kGreatest : DepthEnd::kLeast;
+
+    std::vector<Rect> held;  // those that hold pixels
+    held.reserve(regions.rects.size());
+    std::uint64_t pixels = 0;
+    for (const Rect& rect : regions.rects) {
+        if (rect.is_empty()) continue;
+        held.push_back(rect);
+        pixels += static_cast<std::uint64_t>(rect.area());
+    }
+    std::vector<DepthBound> bounds(held.size());
+    if (!held.empty() && !read_depth_bounds(ctx, regions.framebuffer, end, held, bounds)) {
+        return ctx.raise(GL_OUT_OF_MEMORY), std::nullopt;
+    }
+    ctx.proposed.pixels_read += pixels;
+    ctx.frame.pixels_read += pixels;
+
+    // Of no depth at all the furthest is the nearest that there can be, and the other way round.
+    const DepthBound of_none{.depth = end == DepthEnd::kGreatest ? 0.0F : 1.0F, .is_at_end = false};
+    std::vector<GLfloat> values;
+    values.reserve(regions.rects.size());
+    std::size_t next = 0;
+    for (const Rect& rect : regions.rects) {
+        const DepthBound& bound = rect.is_empty() ? of_none : bounds[next++];
+        const bool is_state = regions.pname == GL_REGION_OCCLUDED_EMU;
+        values.push_back(is_state ? (bound.is_at_end ? 0.0F : 1.0F) : bound.depth);
+    }
+    return values;
+}
+
+// A result of 32 bits: of the state 0 or 1, of depths the float, whose bits are ordered as the depths are.
+GLuint word_of(GLenum pname, GLfloat value) {
+    return pname == GL_REGION_OCCLUDED_EMU ? static_cast<GLuint>(value) : std::bit_cast<GLuint>(value);
+}
+
+std::vector<GLuint> words_of(GLenum pname, std::span<const GLfloat> values) {
+    std::vector<GLuint> words;
+    words.reserve(values.size());
+    for (const GLfloat value : values) words.push_back(word_of(pname, value));
+    return words;
+}
+
+// True, with the error raised, where not all of <ids> can become objects of the query.
+bool refuses_names(Context& ctx, std::span<const GLuint> ids) {
+    for (const GLuint id : ids) {
+        if (refuses_proposed_name(ctx, id, GL_DEPTH_REGION_EMU)) return true;
+    }
+    std::vector<GLuint> sorted(ids.begin(), ids.end());
+    std::ranges::sort(sorted);
+    if (std::ranges::adjacent_find(sorted) == sorted.end()) return false;
+    ctx.raise(GL_INVALID_OPERATION);
+    return true;
+}
+
+// The same for <count> words at <offset> of <buffer>.
+bool refuses_buffer(Context& ctx, GLsizei count, GLuint buffer, GLintptr offset) {
+    const bool is_buffer = ctx.kind.has_named_buffers && ctx.real->glIsBuffer(buffer) != GL_FALSE;
+    if (!is_buffer || is_mapped(ctx, buffer)) return ctx.raise(GL_INVALID_OPERATION), true;
+    GLint64 size = 0;
+    {
+        const OwnCalls own(ctx);
+        ctx.real->glGetNamedBufferParameteri64v(buffer, GL_BUFFER_SIZE, &size);
+    }
+    const GLint64 written = static_cast<GLint64>(sizeof(GLuint)) * count;
+    const bool fits =
+        offset >= 0 && offset % static_cast<GLintptr>(sizeof(GLuint)) == 0 && offset <= size - written;
+    if (!fits) ctx.raise(GL_INVALID_VALUE);
+    return !fits;
+}
+
+}  // namespace
 
 GLint max_depth_regions() {
     return settings().device.max_regions.value_or(65536);
@@ -14,13 +134,59 @@ void far_depth_emu(Context& ctx, GLenum end) {
     ctx.proposed.far_end = end;
 }
 
-void get_depth_regionfv_emu(Context&, GLenum, GLint, GLint, GLsizei, GLsizei, GLfloat*) {
+void get_depth_regionfv_emu(Context& ctx, GLenum pname, GLint x, GLint y, GLsizei width, GLsizei height,
+                            GLfloat* value) {
+    const GLint rectangle[] = {x, y, width, height};
+    get_depth_regionsfv_emu(ctx, pname, 1, rectangle, value);
 }
-void get_depth_regionsfv_emu(Context&, GLenum, GLsizei, const GLint*, GLfloat*) {
+
+void get_depth_regionsfv_emu(Context& ctx, GLenum pname, GLsizei count, const GLint* rectangles,
+                             GLfloat* values) {
+    const auto regions = regions_of(ctx, pname, count, rectangles);
+    if (!regions) return;
+    const StallScope stall(ctx);
+    const occlusion_unit::Tick due = ctx.clock.due();
+    const auto results = evaluate(ctx, *regions);
+    ctx.clock.wait_until(due);
+    if (!results) return;
+    std::ranges::copy(*results, values);
+    ctx.frame.results += results->size();
 }
-void query_depth_regions_emu(Context&, GLenum, GLsizei, const GLint*, const GLuint*) {
+
+void query_depth_regions_emu(Context& ctx, GLenum pname, GLsizei count, const GLint* rectangles,
+                             const GLuint* ids) {
+    const auto regions = regions_of(ctx, pname, count, rectangles);
+    if (!regions) return;
+    const std::span names(ids, regions->rects.size());
+    if (refuses_names(ctx, names)) return;
+    const occlusion_unit::Tick due = ctx.clock.due();
+    const auto results = evaluate(ctx, *regions);
+    if (!results) return;
+    const std::vector<GLuint> words = words_of(pname, *results);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        ProposedQuery& query = renew_proposed_query(ctx, names[i], GL_DEPTH_REGION_EMU);
+        query.word = words[i];
+        query.due = due;
+        query.has_ended = true;
+    }
+    ctx.frame.queries_begun += names.size();
+    ctx.update_hot();
 }
-void query_depth_regions_buffer_emu(Context&, GLenum, GLsizei, const GLint*, GLuint, GLintptr) {
+
+void query_depth_regions_buffer_emu(Context& ctx, GLenum pname, GLsizei count, const GLint* rectangles,
+                                    GLuint buffer, GLintptr offset) {
+    const auto regions = regions_of(ctx, pname, count, rectangles);
+    if (!regions || refuses_buffer(ctx, count, buffer, offset) || count == 0) return;
+    const occlusion_unit::Tick due = ctx.clock.due();
+    const auto results = evaluate(ctx, *regions);
+    if (!results) return;
+    const std::vector<GLuint> words = words_of(pname, *results);
+    // The machine's pipeline is in order: whoever reads the buffer gets the results, so they are waited for.
+    const StallScope stall(ctx);
+    ctx.clock.wait_until(due);
+    put_bytes(ctx, buffer, offset, words.data(), static_cast<GLsizeiptr>(words.size() * sizeof(GLuint)));
+    ctx.frame.queries_begun += words.size();
+    ctx.frame.results += words.size();
 }
 
 }  // namespace glext_emu::features
