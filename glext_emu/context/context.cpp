@@ -27,8 +27,10 @@ void Context::update_hot() {
     if (pending_error != GL_NO_ERROR) hot |= kHotError;
     if (slot.wants_segment()) hot |= kHotDraw | kHotPixels;
     if (follows_text && slot.counts_samples()) hot |= kHotDraw;
+    if ((slot.counters & kDepthPassCounter) != 0) hot |= kHotDraw;  // MULTISAMPLE
+    if (instruments.pipe.has_reading()) hot |= kHotSync;            // Finish
     if (follows_text && (slot.app_query != 0 || slot.open_segment != 0)) hot |= kHotPixels;
-    if (proposed.active_unit != 0 || (repeats_draws && recording.name != 0)) hot |= kHotDraw | kHotPixels;
+    if (proposed.run != nullptr || (repeats_draws && recording.name != 0)) hot |= kHotDraw | kHotPixels;
     if (recording.name != 0) hot |= kHotGet;                                  // LIST_INDEX
     if (recording.name != 0 && follows_text) hot |= kHotEnable | kHotAttrib;  // MULTISAMPLE
     // Where nobody asks for them, Begin and End cost nothing.

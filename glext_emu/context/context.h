@@ -15,15 +15,20 @@
 #include "context/advertised.h"
 #include "context/conditional_render.h"
 #include "context/current.h"
+#include "context/depth_reader.h"
 #include "context/device.h"
 #include "context/display_lists.h"
 #include "context/draw_surface.h"
 #include "context/frame_counts.h"
+#include "context/instruments.h"
 #include "context/occlusion_slot.h"
 #include "context/proposed_queries.h"
+#include "context/visibility_tests.h"
 #include "occlusion_unit/clock.h"
 
 namespace glext_emu {
+
+struct UnitStages;
 
 // The HP test's enable, as PushAttrib(ENABLE_BIT) saved it.
 struct SavedEnable {
@@ -79,6 +84,8 @@ struct Context {
     bool emulates_test = false;        // GL_HP_occlusion_test
     bool emulates_nv_query = false;    // GL_NV_occlusion_query
     bool emulates_nvx_render = false;  // GL_NVX_conditional_render
+    Counters known_instruments = 0;    // GL_SGIX_instruments, with those that it has
+    bool emulates_visibility_test = false;  // GL_HP_visibility_test
     bool emulates_regions = false;     // GL_EMU_depth_region_query
     bool emulates_unit = false;        // GL_EMU_occlusion_unit
     bool repeats_draws = false;        // so a list's draws have to stand alone
@@ -97,9 +104,13 @@ struct Context {
     ListRecording recording;
     std::vector<SavedEnable> attrib_stack;
     OcclusionSlot slot;
+    Instruments instruments;
+    VisibilityTests visibility;
     ConditionalRender conditional;
     ProposedQueries proposed;
+    std::shared_ptr<UnitStages> unit_stages;  // once fragments were looked at
     DrawSurface draw_surface;  // behind the default framebuffer, for drawing
+    DepthReader depth_reader;
     occlusion_unit::Clock clock;
     FrameCounts frame;
 

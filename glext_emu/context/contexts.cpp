@@ -109,7 +109,8 @@ std::uint32_t always_hot(const Context& ctx) {
     constexpr std::uint32_t kCounting =
         kHotDraw | kHotPixels | kHotImmediate | kHotCall | kHotList | kHotQuery;
     // Commands that the driver may lack are there where they are emulated.
-    constexpr std::uint32_t kSupplied = kHotNvquery | kHotNvxrender | kHotFardepth | kHotRegion | kHotUnit;
+    constexpr std::uint32_t kSupplied = kHotNvquery | kHotNvxrender | kHotInstrument | kHotVisibility |
+                                        kHotFardepth | kHotRegion | kHotUnit;
     std::uint32_t hot = 0;
     if (!wanted.report_path.empty()) hot |= kCounting;
     if (ctx.emulates_test) hot |= kHotEnable | kHotAttrib | kHotGet;
@@ -120,9 +121,20 @@ std::uint32_t always_hot(const Context& ctx) {
     if (ctx.clock.counts_calls()) hot |= kHotAll & ~kSupplied;
     if (ctx.emulates_regions) hot |= kHotRegion | kHotFardepth | kHotGet;
     if (ctx.emulates_unit) hot |= kHotUnit | kHotFardepth | kHotGet;
+    if (ctx.known_instruments != 0) hot |= kHotInstrument | kHotPointer | kHotEnable | kHotGet;
+    if (ctx.emulates_visibility_test) hot |= kHotVisibility | kHotEnable | kHotGet;
     if (ctx.emulates_nv_query) hot |= kHotNvquery;
     if (ctx.emulates_nvx_render) hot |= kHotNvxrender;
     return hot;
+}
+
+// The instruments that the device has; SGIX_instruments alone is a mechanism without one.
+Counters known_instruments(const Context& ctx, const Device& device) {
+    if (!ctx.kind.is_compatibility() || !device.emulates("GL_SGIX_instruments")) return 0;
+    Counters known = 0;
+    if (device.emulates("GL_SGIX_depth_pass_instrument")) known |= kDepthPassCounter;
+    if (device.emulates("GL_SGIX_occlusion_instrument")) known |= kOcclusionCounter;
+    return known;
 }
 
 // What only the driver can tell, and only while the context is current.
@@ -133,6 +145,8 @@ void initialise(Context& ctx) {
     ctx.follows_text = !device.is_pass_through();
     ctx.emulates_test = ctx.kind.is_compatibility() && device.emulates("GL_HP_occlusion_test");
     ctx.emulates_nv_query = ctx.kind.is_compatibility() && device.emulates("GL_NV_occlusion_query");
+    ctx.emulates_visibility_test = ctx.kind.is_compatibility() && device.emulates("GL_HP_visibility_test");
+    ctx.known_instruments = known_instruments(ctx, device);
     ctx.emulates_nvx_render = ctx.kind.is_compatibility() && device.emulates("GL_NVX_conditional_render");
     // They are written against desktop GL of any profile; what answers them needs framebuffer objects.
     const bool can_propose = !ctx.kind.is_es && ctx.kind.version >= GlVersion{3, 0};

@@ -56,7 +56,7 @@ void open_step(Context& ctx) {
 bool open_draw_step(Context& ctx) {
     close_step(ctx);
     const bool is_repeated_now =
-        ctx.recording.mode == GL_COMPILE_AND_EXECUTE && ctx.proposed.active_unit != 0;
+        ctx.recording.mode == GL_COMPILE_AND_EXECUTE && ctx.proposed.run != nullptr;
     ctx.recording.segment = make_hidden_list(ctx);
     ctx.real->glNewList(ctx.recording.segment, is_repeated_now ? GL_COMPILE : ctx.recording.mode);
     return is_repeated_now;

@@ -17,6 +17,17 @@ GLenum segment_target(const Context& ctx) {
     return ctx.kind.has_any_samples ? GL_ANY_SAMPLES_PASSED : GL_SAMPLES_PASSED;
 }
 
+GLuint take_name(Context& ctx, std::vector<GLuint>& spare) {
+    GLuint name = 0;
+    if (spare.empty()) {
+        ctx.real->glGenQueries(1, &name);
+    } else {
+        name = spare.back();
+        spare.pop_back();
+    }
+    return name;
+}
+
 // Folds the hidden queries that have ended into the flag.
 void fold_segments(Context& ctx) {
     OcclusionSlot& slot = ctx.slot;
@@ -85,25 +96,35 @@ bool is_driver_ready(Context& ctx, GLuint query) {
 bool OcclusionSlot::is_hidden(GLuint name) const {
     return name != 0 &&
            (name == open_segment || std::ranges::find(unread_segments, name) != unread_segments.end() ||
-            std::ranges::find(spare, name) != spare.end());
+            std::ranges::find(spare, name) != spare.end() ||
+            std::ranges::find(lent_counters, name) != lent_counters.end() ||
+            std::ranges::find(spare_counters, name) != spare_counters.end());
 }
 
 bool OcclusionSlot::is_doomed(GLuint name) const {
     return name != 0 && std::ranges::find(doomed, name) != doomed.end();
 }
 
+GLuint take_counter(Context& ctx) {
+    const GLuint name = take_name(ctx, ctx.slot.spare_counters);
+    ctx.slot.lent_counters.push_back(name);
+    return name;
+}
+
+void give_back_counter(Context& ctx, GLuint query) {
+    std::erase(ctx.slot.lent_counters, query);
+    ctx.slot.spare_counters.push_back(query);
+}
+
 void open_segment(Context& ctx) {
     OcclusionSlot& slot = ctx.slot;
     const OwnCalls own(ctx);
     if (slot.unread_segments.size() == kMostUnread) fold_segments(ctx);
-    GLuint name = 0;
-    if (slot.spare.empty()) {
-        ctx.real->glGenQueries(1, &name);
-    } else {
-        name = slot.spare.back();
-        slot.spare.pop_back();
-    }
-    ctx.real->glBeginQuery(segment_target(ctx), name);
+    // A pipe counts fragments; the flag is content with whether there are any.
+    const bool is_counted = slot.counters != 0;
+    slot.open_target = is_counted ? GL_SAMPLES_PASSED : segment_target(ctx);
+    const GLuint name = is_counted ? take_counter(ctx) : take_name(ctx, slot.spare);
+    ctx.real->glBeginQuery(slot.open_target, name);
     slot.open_segment = name;
     ctx.frame.queries_begun++;
     ctx.update_hot();
@@ -113,11 +134,30 @@ void close_segment(Context& ctx) {
     OcclusionSlot& slot = ctx.slot;
     if (slot.open_segment == 0) return;
     const OwnCalls own(ctx);
-    ctx.real->glEndQuery(segment_target(ctx));
-    slot.unread_segments.push_back(slot.open_segment);
-    slot.open_segment = 0;
+    ctx.real->glEndQuery(slot.open_target);
+    const GLuint ended = std::exchange(slot.open_segment, 0u);
+    if (slot.counters == 0) {
+        slot.unread_segments.push_back(ended);
+    } else {
+        slot.flag = (slot.test_enabled && has_passed(ctx, ended)) || slot.flag;
+        slot.pipe->add(ctx, ended, slot.counters, slot.samples_per_fragment);
+    }
     slot.flag_due = ctx.clock.due();
     ctx.update_hot();
+}
+
+void set_samples_per_fragment(Context& ctx, GLuint samples) {
+    OcclusionSlot& slot = ctx.slot;
+    if (samples == slot.samples_per_fragment) return;
+    const ListPause pause(ctx);
+    const bool was_open = slot.open_segment != 0;
+    close_segment(ctx);
+    slot.samples_per_fragment = samples;
+    if (was_open) open_segment(ctx);
+}
+
+bool is_counter_taken(const Context& ctx) {
+    return ctx.slot.app_query != 0 || ctx.slot.pipe != nullptr || ctx.proposed.active_unit != 0;
 }
 
 bool take_flag(Context& ctx) {
@@ -182,6 +222,7 @@ void set_samples_per_count(Context& ctx, GLuint samples) {
 }
 
 bool is_object(Context& ctx, GLuint name) {
+    if (ctx.proposed.is_object(name)) return true;
     return !ctx.slot.is_hidden(name) && !ctx.slot.is_doomed(name) && ctx.real->glIsQuery(name) != GL_FALSE;
 }
 
@@ -206,7 +247,11 @@ void yield_name(Context& ctx, GLuint name) {
     if (!slot.is_hidden(name)) return;
     if (name == slot.open_segment) close_segment(ctx);
     fold_segments(ctx);
+    ctx.instruments.pipe.settle(ctx);
+    ctx.visibility.pipe.settle(ctx);
+    drain_all_records(ctx);
     std::erase(slot.spare, name);
+    std::erase(slot.spare_counters, name);
     const OwnCalls own(ctx);
     ctx.real->glDeleteQueries(1, &name);
 }

@@ -13,6 +13,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "context/count_pipe.h"
 #include "occlusion_unit/clock.h"
 
 namespace glext_emu {
@@ -63,8 +64,19 @@ struct OcclusionSlot {
 
     // Hidden queries of the test; none of these names shows to the program.
     GLuint open_segment = 0;              // active now
+    GLenum open_target = 0;               // of it
     std::vector<GLuint> unread_segments;  // ended, count towards the flag
     std::vector<GLuint> spare;            // free for reuse
+
+    // The Occlusion Unit's, which count samples: an object of the driver's keeps the target of its first
+    // begin.
+    std::vector<GLuint> lent_counters;
+    std::vector<GLuint> spare_counters;
+
+    // What counts beside the flag while the program's queries do not: hidden segments, which go down a pipe.
+    CountPipe* pipe = nullptr;  // null: nothing
+    Counters counters = 0;      // of the pipe, that count now
+    GLuint samples_per_fragment = 1;
 
     // True for a name that the driver knows and the program does not.
     bool is_hidden(GLuint name) const;
@@ -72,12 +84,22 @@ struct OcclusionSlot {
     // True while draws have to be watched for the number of samples that a count stands for.
     bool counts_samples() const { return app_query != 0 && app_target == GL_SAMPLES_PASSED; }
     // True when a draw has to open a segment first.
-    bool wants_segment() const { return test_enabled && app_query == 0 && open_segment == 0; }
+    bool wants_segment() const {
+        return (test_enabled || counters != 0) && app_query == 0 && open_segment == 0;
+    }
 };
+
+// A hidden query of SAMPLES_PASSED for the Occlusion Unit, and back.
+GLuint take_counter(Context& ctx);
+void give_back_counter(Context& ctx, GLuint query);
 
 void open_segment(Context& ctx);
 // Ends the open segment, if there is one; its count stays unread.
 void close_segment(Context& ctx);
+// The open segment, if there is one, goes on with another number of samples for a fragment.
+void set_samples_per_fragment(Context& ctx, GLuint samples);
+// True while a query, a pipe or the Occlusion Unit has the machine's one counter.
+bool is_counter_taken(const Context& ctx);
 // The flag's value; then it is FALSE. Waits for the driver, not for the clock.
 bool take_flag(Context& ctx);
 // Sets the flag to FALSE without reading it.

@@ -2,8 +2,12 @@
 #include "context/proposed_queries.h"
 
 #include "context/context.h"
+#include "context/unit_run.h"
 
 namespace glext_emu {
+
+ProposedQueries::ProposedQueries() = default;
+ProposedQueries::~ProposedQueries() = default;
 
 bool refuses_proposed_name(Context& ctx, GLuint id, GLenum target) {
     const ProposedQueries& proposed = ctx.proposed;
@@ -25,10 +29,27 @@ ProposedQuery& renew_proposed_query(Context& ctx, GLuint id, GLenum target) {
 
 void delete_proposed_query(Context& ctx, GLuint id) {
     ctx.proposed.generated.erase(id);
+    if (id != 0 && id == ctx.proposed.active_unit) {
+        ctx.proposed.run->drop(ctx);
+        ctx.proposed.run.reset();
+        ctx.proposed.active_unit = 0;
+        ctx.update_hot();
+    }
     const auto found = ctx.proposed.objects.find(id);
     if (found == ctx.proposed.objects.end()) return;
     if (found->second.pending != nullptr) found->second.pending->drop(ctx);
     ctx.proposed.objects.erase(found);
+}
+
+void drain_records(Context& ctx, ProposedQuery& query) {
+    if (query.pending == nullptr) return;
+    query.pending->drain(ctx, query.records);
+    query.pending.reset();
+}
+
+void drain_all_records(Context& ctx) {
+    if (ctx.proposed.run != nullptr) ctx.proposed.run->fold(ctx);
+    for (auto& [name, query] : ctx.proposed.objects) drain_records(ctx, query);
 }
 
 }  // namespace glext_emu

@@ -36,6 +36,7 @@ void correct(Context& ctx, GLuint id, GLenum mode) {
     const OwnCalls own(ctx);
     ctx.real->glEndConditionalRender();
     ctx.real->glBeginConditionalRender(id, GL_QUERY_WAIT);
+    ctx.conditional.mode = GL_QUERY_WAIT;
 }
 
 // A query around nothing: its result is zero, as that of an object that was created and never begun. Mesa
@@ -65,6 +66,7 @@ void start(Context& ctx, GLuint id, GLenum mode) {
     // generated name becomes one at its first begin.
     const bool is_nobodys = ctx.slot.is_hidden(id) || (ctx.follows_text && !is_object(ctx, id));
     if (is_nobodys) return ctx.raise(ctx.conditional.query != 0 ? GL_INVALID_OPERATION : GL_INVALID_VALUE);
+    if (ctx.proposed.is_object(id)) return ctx.raise(GL_INVALID_OPERATION);
     const auto found = ctx.slot.records.find(id);
     const bool is_ended = found != ctx.slot.records.end() && found->second.has_ended;
     // A deterministic clock does not depend on when the driver happens to be ready.
@@ -74,7 +76,7 @@ void start(Context& ctx, GLuint id, GLenum mode) {
     if (is_ended && !found->second.was_begun) count_nothing(ctx, id, found->second);
     if (!driver_accepts(ctx, [&] { ctx.real->glBeginConditionalRender(id, mode); })) return;
 
-    ctx.conditional = {.query = id, .is_in_driver = true};
+    ctx.conditional = {.query = id, .is_in_driver = true, .mode = mode};
     if (!is_ended) return;
     QueryRecord& record = found->second;
     if (waits(mode)) {

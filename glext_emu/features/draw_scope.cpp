@@ -25,6 +25,16 @@ GLuint samples_per_count(Context& ctx) {
     return samples > 1 ? static_cast<GLuint>(samples) : 1;
 }
 
+// SGIX_depth_pass_instrument: with multisampling "the counter is incremented by one for each fragment
+// containing at least one sample for which the depth test passed"; the driver counts samples then, and pixels
+// without.
+GLuint samples_per_fragment(Context& ctx) {
+    if (ctx.real->glIsEnabled(GL_MULTISAMPLE) == GL_FALSE) return 1;
+    GLint samples = 0;
+    ctx.real->glGetIntegerv(GL_SAMPLES, &samples);
+    return samples > 1 ? static_cast<GLuint>(samples) : 1;
+}
+
 // The modes that Begin accepts; with another it fails and no Begin/End pair is open.
 bool is_primitive(GLenum mode) {
     return mode <= GL_PATCHES;
@@ -43,6 +53,8 @@ void before_draw(Context& ctx, Triangles triangles) {
     if (ctx.follows_text && ctx.slot.counts_samples()) {
         set_samples_per_count(ctx, samples_per_count(ctx));
     }
+    if ((ctx.slot.counters & kDepthPassCounter) != 0)
+        set_samples_per_fragment(ctx, samples_per_fragment(ctx));
     // While a list is compiled and executed, the segment stands open already: opening it now would compile
     // it.
     if (ctx.slot.wants_segment() && !ctx.recording.is_open()) open_segment(ctx);
@@ -78,7 +90,7 @@ void draw(Context& ctx, Triangles triangles, DrawCall call) {
     // A command that is only compiled draws nothing now.
     if (ctx.recording.only_compiles() || ctx.inside_begin_end) return call();
     before_draw(ctx, triangles);
-    if (ctx.proposed.active_unit != 0 && !ctx.recording.is_open()) [[unlikely]]
+    if (ctx.proposed.run != nullptr && !ctx.recording.is_open()) [[unlikely]]
         return draw_under_unit(ctx, call);
     call();
 }
@@ -104,7 +116,7 @@ void begin(Context& ctx, GLenum mode) {
     if (stands_alone(ctx)) {
         recording.is_in_draw_step = true;
         if (open_draw_step(ctx)) ctx.collected_primitive = recording.segment;
-    } else if (ctx.proposed.active_unit != 0 && !recording.is_open()) {
+    } else if (ctx.proposed.run != nullptr && !recording.is_open()) {
         ctx.collected_primitive = make_hidden_list(ctx);
         ctx.real->glNewList(ctx.collected_primitive, GL_COMPILE);
     }

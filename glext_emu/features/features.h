@@ -33,6 +33,29 @@ void pop_attrib(Context& ctx);
 // Reads the flag as a Get does: it waits for the clock, and the flag is FALSE afterwards.
 bool read_test_result(Context& ctx);
 
+// instruments.cpp: GL_SGIX_instruments, GL_SGIX_depth_pass_instrument, GL_SGIX_occlusion_instrument.
+bool is_instrument(const Context& ctx, GLenum cap);
+bool is_instrument_enabled(const Context& ctx, GLenum cap);
+void set_instrument(Context& ctx, GLenum cap, bool is_enabled);
+std::uint64_t depth_pass_max(Context& ctx);
+// Waits for all measurements that were asked for, and writes them.
+void deliver_measurements(Context& ctx);
+void instruments_buffer_sgix(Context& ctx, GLsizei size, GLint* buffer);
+void start_instruments_sgix(Context& ctx);
+void stop_instruments_sgix(Context& ctx, GLint marker);
+void read_instruments_sgix(Context& ctx, GLint marker);
+GLint poll_instruments_sgix(Context& ctx, GLint* marker);
+GLint get_instruments_sgix(Context& ctx);
+void get_pointerv(Context& ctx, GLenum pname, void** params);
+
+// visibility_test.cpp: GL_HP_visibility_test.
+bool is_visibility_test(const Context& ctx, GLenum cap);
+void set_visibility_test(Context& ctx, bool is_enabled);
+void visibility_buffer_hp(Context& ctx, GLsizei size, GLboolean* buffer, GLboolean wait_on_get);
+void next_visibility_test_hp(Context& ctx);
+// Writes the results that have come; true where all of a batch that has ended have.
+bool read_visibility_tests(Context& ctx);
+
 // depth_regions.cpp: GL_EMU_depth_region_query.
 GLint max_depth_regions();
 void far_depth_emu(Context& ctx, GLenum end);
@@ -48,6 +71,8 @@ void query_depth_regions_buffer_emu(Context& ctx, GLenum pname, GLsizei count, c
 // occlusion_unit.cpp, occlusion_shapes.cpp: GL_EMU_occlusion_unit.
 GLint max_occlusion_shapes();
 GLint unit_counter_bits();
+// True, with the error raised, where neither form of the query may begin now.
+bool refuses_unit_query(Context& ctx, GLbitfield registers, GLuint id);
 void begin_occlusion_unit_emu(Context& ctx, GLbitfield registers, GLuint id);
 void end_occlusion_unit_emu(Context& ctx);
 void occlusion_unit_shapes_emu(Context& ctx, GLbitfield registers, GLenum shape, GLsizei count,

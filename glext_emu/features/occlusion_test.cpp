@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // GL_HP_occlusion_test: one flag per context that any passing fragment sets and every Get clears. The text is
-// in parts silent; where it is, NV_occlusion_query 4.1.6A and 6.1.13 speak.
+// in parts silent; where it is, NV_occlusion_query 4.1.6A and 6.1.13 speak. And the capabilities of all
+// extensions that are emulated.
 #include "features/features.h"
 #include "features/list_recorder.h"
 #include "features/stall.h"
@@ -12,15 +13,26 @@ bool is_test(const Context& ctx, GLenum cap) {
     return ctx.emulates_test && cap == GL_OCCLUSION_TEST_HP;
 }
 
+// The driver does not know <cap>.
+bool is_emulated(const Context& ctx, GLenum cap) {
+    return is_test(ctx, cap) || is_instrument(ctx, cap) || is_visibility_test(ctx, cap);
+}
+
 // What a list has to hold as an operation of the layer's.
 bool is_recorded(const Context& ctx, GLenum cap) {
-    return is_test(ctx, cap) || (ctx.follows_text && cap == GL_MULTISAMPLE);
+    return is_emulated(ctx, cap) || (ctx.follows_text && cap == GL_MULTISAMPLE);
 }
 
 void set_test(Context& ctx, bool is_enabled) {
+    if (is_enabled != ctx.slot.test_enabled) close_segment(ctx);
     ctx.slot.test_enabled = is_enabled;
-    if (!is_enabled) close_segment(ctx);
     ctx.update_hot();
+}
+
+void set_capability(Context& ctx, GLenum cap, bool is_enabled) {
+    if (is_test(ctx, cap)) return set_test(ctx, is_enabled);
+    if (is_visibility_test(ctx, cap)) return set_visibility_test(ctx, is_enabled);
+    set_instrument(ctx, cap, is_enabled);
 }
 
 }  // namespace
@@ -31,8 +43,10 @@ void enable(Context& ctx, GLenum cap) {
         return record(ctx, {[](Context& c, const ListOperation& op) { enable(c, op.first); }, cap});
     }
 
-    if (!is_test(ctx, cap)) return ctx.real->glEnable(cap);
-    set_test(ctx, true);
+    if (!is_emulated(ctx, cap)) return ctx.real->glEnable(cap);
+    // EMU_occlusion_unit: the test and the unit share a counter.
+    if (is_test(ctx, cap) && ctx.proposed.active_unit != 0) return ctx.raise(GL_INVALID_OPERATION);
+    set_capability(ctx, cap, true);
 }
 
 void disable(Context& ctx, GLenum cap) {
@@ -41,13 +55,16 @@ void disable(Context& ctx, GLenum cap) {
         return record(ctx, {[](Context& c, const ListOperation& op) { disable(c, op.first); }, cap});
     }
 
-    if (!is_test(ctx, cap)) return ctx.real->glDisable(cap);
-    set_test(ctx, false);
+    if (!is_emulated(ctx, cap)) return ctx.real->glDisable(cap);
+    set_capability(ctx, cap, false);
 }
 
 GLboolean is_enabled(Context& ctx, GLenum cap) {
-    if (!is_test(ctx, cap) || ctx.is_between_begin_and_end()) return ctx.real->glIsEnabled(cap);
-    return ctx.slot.test_enabled ? GL_TRUE : GL_FALSE;
+    if (!is_emulated(ctx, cap) || ctx.is_between_begin_and_end()) return ctx.real->glIsEnabled(cap);
+    bool is_on = is_instrument_enabled(ctx, cap);
+    if (is_test(ctx, cap)) is_on = ctx.slot.test_enabled;
+    if (is_visibility_test(ctx, cap)) is_on = ctx.visibility.is_enabled;
+    return is_on ? GL_TRUE : GL_FALSE;
 }
 
 // NV_occlusion_query, New State: OCCLUSION_TEST_HP belongs to the attribute group "enable", the result to

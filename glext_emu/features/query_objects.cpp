@@ -37,11 +37,25 @@ bool is_in_use(const Context& ctx, GLuint name) {
     return ctx.follows_text && name != 0 && (name == ctx.slot.app_query || name == ctx.conditional.query);
 }
 
+// GL 4.6, 4.2: INVALID_OPERATION "if id is the name of an existing query object whose type does not match
+// target": the driver knows no object of the proposed extensions, and so cannot refuse it.
+bool refuses_as_proposed(const Context& ctx, GLuint id) {
+    return !ctx.recording.is_open() && ctx.proposed.is_object(id);
+}
+
+// A generated name has become an object of a target of the driver's, unless that failed.
+void note_object(Context& ctx, GLuint id) {
+    if (!ctx.proposed.generated.contains(id) || ctx.recording.is_open()) return;
+    if (ctx.real->glIsQuery(id) != GL_FALSE) ctx.proposed.generated.erase(id);
+}
+
 }  // namespace
 
 void gen_queries(Context& ctx, GLsizei n, GLuint* ids) {
     if (refuses_names_now(ctx)) return ctx.raise(GL_INVALID_OPERATION);
     ctx.real->glGenQueries(n, ids);
+    if (!(ctx.emulates_regions || ctx.emulates_unit) || ids == nullptr) return;
+    for (GLsizei i = 0; i < n; ++i) ctx.proposed.generated.insert(ids[i]);
 }
 
 void create_queries(Context& ctx, GLenum target, GLsizei n, GLuint* ids) {
@@ -74,6 +88,7 @@ void delete_queries(Context& ctx, GLsizei n, const GLuint* ids) {
             ctx.slot.ended_app_query = 0;
         }
         if (name == ctx.slot.app_query) ctx.slot.app_query = 0;
+        delete_proposed_query(ctx, name);
         ctx.slot.records.erase(name);
     }
     ctx.real->glDeleteQueries(static_cast<GLsizei>(names.size()), names.data());
@@ -82,6 +97,7 @@ void delete_queries(Context& ctx, GLsizei n, const GLuint* ids) {
 
 GLboolean is_query(Context& ctx, GLuint id) {
     const bool is_unknown = ctx.slot.is_hidden(id) || ctx.slot.is_doomed(id);
+    if (ctx.proposed.is_object(id)) return GL_TRUE;
     return is_unknown ? GL_FALSE : ctx.real->glIsQuery(id);
 }
 
@@ -101,11 +117,18 @@ void start_query(Context& ctx, GLenum target, GLuint id) {
     if (ctx.follows_text && id != 0 && (id == ctx.conditional.query || ctx.slot.is_doomed(id))) {
         return ctx.raise(GL_INVALID_OPERATION);
     }
+    if (refuses_as_proposed(ctx, id) || (is_occlusion_target(target) && ctx.proposed.active_unit != 0)) {
+        return ctx.raise(GL_INVALID_OPERATION);
+    }
+    // Decision 2: there is one counter, and whatever counts in a pipe has it.
+    if (ctx.slot.pipe != nullptr && is_occlusion_target(target)) return ctx.raise(GL_INVALID_OPERATION);
     yield_name(ctx, id);
     const GLenum real = real_target(ctx, target);
     // The driver refuses a second query in the slot, and targets of other slots are its own affair.
     if (!is_occlusion_target(target) || !driver_knows(ctx, target) || ctx.slot.app_query != 0) {
-        return ctx.real->glBeginQuery(real, id);
+        ctx.proposed.counts_draws |= !is_occlusion_target(target) && target != GL_TIME_ELAPSED;
+        ctx.real->glBeginQuery(real, id);
+        return note_object(ctx, id);
     }
 
     close_segment(ctx);
@@ -114,6 +137,7 @@ void start_query(Context& ctx, GLenum target, GLuint id) {
     // ARB_occlusion_query, issues: BeginQuery "resets the sample count (and therefore the occlusion test
     // result)".
     reset_flag(ctx);
+    note_object(ctx, id);
     ctx.slot.app_query = id;
     ctx.slot.app_target = target;
     ctx.slot.records[id] = {.target = target};
@@ -124,8 +148,11 @@ void start_query(Context& ctx, GLenum target, GLuint id) {
 void begin_query_indexed(Context& ctx, GLenum target, GLuint index, GLuint id) {
     // GL 4.6, 4.2: BeginQueryIndexed with index zero is BeginQuery.
     if (index == 0 && is_occlusion_target(target)) return begin_query(ctx, target, id);
+    if (refuses_as_proposed(ctx, id)) return ctx.raise(GL_INVALID_OPERATION);
     if (!ctx.recording.is_open()) yield_name(ctx, id);
+    ctx.proposed.counts_draws = true;
     ctx.real->glBeginQueryIndexed(target, index, id);
+    note_object(ctx, id);
 }
 
 void end_query(Context& ctx, GLenum target) {
@@ -163,8 +190,10 @@ void end_query_indexed(Context& ctx, GLenum target, GLuint index) {
 }
 
 void query_counter(Context& ctx, GLuint id, GLenum target) {
+    if (refuses_as_proposed(ctx, id)) return ctx.raise(GL_INVALID_OPERATION);
     if (!ctx.recording.is_open()) yield_name(ctx, id);
     ctx.real->glQueryCounter(id, target);
+    note_object(ctx, id);
 }
 
 void get_queryiv(Context& ctx, GLenum target, GLenum pname, GLint* params) {

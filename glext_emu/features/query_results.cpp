@@ -3,6 +3,7 @@
 #include "context/refusals.h"
 #include "context/settings.h"
 #include "features/features.h"
+#include "features/proposed_results.h"
 #include "features/query_buffers.h"
 #include "features/stall.h"
 
@@ -146,6 +147,7 @@ template <class T>
 void get_query_object(Context& ctx, GLuint id, GLenum pname, T* params, void (*real)(GLuint, GLenum, T*)) {
     if (pname == GL_QUERY_RESULT_NO_WAIT && refuses_query_buffers(ctx)) return ctx.raise(GL_INVALID_ENUM);
     if (pname == GL_QUERY_RESULT_NO_WAIT && !ctx.kind.has_query_buffer) return real(id, pname, params);
+    if (ctx.proposed.is_object(id)) return get_proposed_result(ctx, id, pname, params);
     // Name zero raises what a name of nobody's raises.
     if (ctx.slot.is_hidden(id) || ctx.slot.is_doomed(id)) return real(0, pname, params);
     const auto found = ctx.slot.records.find(id);
@@ -173,6 +175,7 @@ void read_count_as(Context& ctx, GLuint id, GLenum pname, T* params) {
 template <class T>
 void get_query_buffer_object(Context& ctx, GLuint id, GLuint buffer, GLenum pname, GLintptr offset,
                              void (*real)(GLuint, GLuint, GLenum, GLintptr)) {
+    if (ctx.proposed.is_object(id)) return ctx.raise(GL_INVALID_OPERATION);
     if (ctx.slot.is_hidden(id) || ctx.slot.is_doomed(id)) return real(0, buffer, pname, offset);
     const auto found = ctx.slot.records.find(id);
     const bool is_judged_only = found == ctx.slot.records.end() || !found->second.has_ended ||
