@@ -24,7 +24,7 @@ ALL_REGISTERS = 0x1F  # GL/glext_emu.h
 WIDTH, HEIGHT = 840, 300
 NAMES = ("behind the wall", "half behind it", "beside the wall")
 CENTERS = (-3.6, 0.0, 3.4)
-FACES = ((0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5))
+FACES = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))  # from outside: counter-clockwise
 SHADES = (0.75, 0.95, 0.6, 1.0, 0.7, 0.85)
 ORANGE, WALL, GROUND = (0.95, 0.55, 0.15), (0.42, 0.47, 0.55), (0.93, 0.94, 0.96)
 
@@ -66,7 +66,7 @@ def set_up():
     GL.glFrustum(-half, half, -0.5, 0.5, 2.5, 40)
     GL.glMatrixMode(GL.GL_MODELVIEW)
     GL.glRotatef(12, 1, 0, 0)
-    GL.glTranslatef(0, -2.6, -12)
+    GL.glTranslatef(0, -2.9, -12)
     GL.glEnable(GL.GL_DEPTH_TEST)
     GL.glClearColor(*GROUND, 1)
     GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
@@ -97,12 +97,13 @@ def draw_box(center, mode):
 
 
 def ask():
-    """The record of each box. Only one side of the faces is drawn, so a covered pixel counts once."""
+    """The record of each box. Back faces are culled, so a covered pixel counts once."""
     begin = command("glBeginOcclusionUnitEMU", ctypes.c_uint32, ctypes.c_uint32)
     end = command("glEndOcclusionUnitEMU")
     get = command("glGetOcclusionRecordsEMU", ctypes.c_uint32, ctypes.c_int32, ctypes.c_int32, ctypes.POINTER(Record))
     GL.glColorMask(False, False, False, False)
     GL.glDepthMask(False)
+    GL.glEnable(GL.GL_CULL_FACE)
     records = []
     for center in CENTERS:
         name = int(numpy.ravel(GL.glGenQueries(1))[0])
@@ -115,6 +116,7 @@ def ask():
         records.append(record)
     GL.glColorMask(True, True, True, True)
     GL.glDepthMask(True)
+    GL.glDisable(GL.GL_CULL_FACE)
     return records
 
 

@@ -45,19 +45,19 @@ def ratio(times, row, base):
 
 
 def unit_table(cases):
-    """Prints a table, a column a case, and returns {row: {(pixels, percent): ratio}}."""
+    """Prints a table, a column a case, and returns {row: {(pixels, percent): ratio}}; -: undetermined there."""
     keys = [(case["pixels"], case["visible_percent"]) for case in cases]
     print(f"{'pixels':28}" + "".join(f"{pixels:9,}" for pixels, _ in keys))
     print(f"{'visible':28}" + "".join(f"{percent:8}%" for _, percent in keys))
     times = [case["microseconds"] for case in cases]
     ratios = {}
-    for row in times[0]:
+    for row in dict.fromkeys(row for one in times for row in one):
         base = "native, batched" if "batched" in row else "native"
         if row == base:
             print(f"{row + ', us':28}" + "".join(f"{statistics.median(one[row]):9.1f}" for one in times))
             continue
-        ratios[row] = {key: ratio(one, row, base) for key, one in zip(keys, times)}
-        print(f"{row:28}" + "".join(f"{value:9.2f}" for value in ratios[row].values()))
+        ratios[row] = {key: ratio(one, row, base) for key, one in zip(keys, times) if row in one}
+        print(f"{row:28}" + "".join(f"{ratios[row][key]:9.2f}" if key in ratios[row] else "        -" for key in keys))
     return ratios
 
 
@@ -70,6 +70,10 @@ def judge_unit(ratios):
     all_hold = True
     for row, limits in BOUNDS.items():
         for size, limit in limits.items():
+            if row not in ratios:
+                print(f"{row}: undetermined")
+                all_hold = False
+                continue
             worst, (pixels, percent) = max((v, key) for key, v in ratios[row].items() if size in (None, key[0]))
             goal = GOALS.get(row, {}).get(size)
             print(f"{row}{f' at {size:,} px' if size else ''}: at most {worst:.2f} ({pixels:,} px, {percent} % visible); "
@@ -81,6 +85,8 @@ def judge_unit(ratios):
 
 def crossover(sweep, unit_row, other_row):
     """From how many pixels on the unit is the cheaper way, as half a sentence."""
+    if not all(unit_row in case["microseconds"] for case in sweep):
+        return "undetermined"
     sizes = [case["pixels"] for case in sweep]
     logs = [math.log(statistics.median(a / b for a, b in zip(case["microseconds"][unit_row],
                                                              case["microseconds"][other_row]))) for case in sweep]
@@ -109,6 +115,8 @@ def unit_cost(options):
     rows = ["visible hits and screen box", "marks read back", "all registers", "all read back"]
     print(f"{'pixels':28}" + "".join(f"{case['pixels']:9,}" for case in answer["sweep"]))
     for row in rows:
+        if row not in answer["sweep"][0]["microseconds"]:
+            continue
         print(f"{row:28}" + "".join(f"{statistics.median(c['microseconds'][row]):9.1f}" for c in answer["sweep"]))
     for unit_row, other_row in (rows[:2], rows[2:]):
         print(f"{unit_row}: {crossover(answer['sweep'], unit_row, other_row)}")
