@@ -15,6 +15,7 @@ namespace {
 
 // Of each occlusion query that has ended.
 constexpr GLuint64 kSamples = 7;
+constexpr GLint kDrawBuffers = 2;
 
 struct State {
     std::set<GLenum> enabled{GL_DITHER, GL_MULTISAMPLE};
@@ -33,6 +34,7 @@ struct State {
         {GL_DEPTH_BITS, {24}},
         {GL_STENCIL_BITS, {8}},
         {GL_COLOR_WRITEMASK, {1, 1, 1, 1}},
+        {GL_MAX_DRAW_BUFFERS, {kDrawBuffers}},
         {GL_STENCIL_WRITEMASK, {0xFFFFFFFF}},
         {GL_STENCIL_BACK_WRITEMASK, {0xFFFFFFFF}},
         {GL_STENCIL_FUNC, {GL_ALWAYS}},
@@ -122,6 +124,19 @@ std::intptr_t set_four(const Arguments& a) {
 std::intptr_t color_mask(const Arguments& a) {
     for (std::size_t i = 0; i < 4; ++i) state.values[GL_COLOR_WRITEMASK][i] = static_cast<GLboolean>(a[i]);
     return 0;
+}
+
+std::intptr_t get_boolean_of_buffer(const Arguments& a) {
+    if (enumerant(a[0]) != GL_COLOR_WRITEMASK) return 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        pointer<GLboolean>(a[2])[i] = static_cast<GLboolean>(state.values[GL_COLOR_WRITEMASK][i]);
+    }
+    return 0;
+}
+
+// All buffers have the mask of the last call: nothing here sets them apart.
+std::intptr_t color_mask_of_buffer(const Arguments& a) {
+    return color_mask({a[1], a[2], a[3], a[4]});
 }
 
 std::intptr_t depth_mask(const Arguments& a) {
@@ -262,6 +277,8 @@ const std::unordered_map<std::string_view, Answer>& answers() {
         {"glViewport", set_four<GL_VIEWPORT>},
         {"glScissor", set_four<GL_SCISSOR_BOX>},
         {"glColorMask", color_mask},
+        {"glColorMaski", color_mask_of_buffer},
+        {"glGetBooleani_v", get_boolean_of_buffer},
         {"glDepthMask", depth_mask},
         {"glBindFramebuffer", bind_framebuffer},
         {"glBindBuffer", bind_buffer},
