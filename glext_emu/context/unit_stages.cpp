@@ -39,9 +39,10 @@ void learn_features(Context& ctx, UnitStages& stages) {
                       driver_has(ctx, "GL_ARB_clear_buffer_object") && driver_has(ctx, "GL_ARB_multi_bind") &&
                       driver_has(ctx, "GL_ARB_direct_state_access");
     if (!stages.can_mark) return;
-    stages.has_sub_groups =
-        driver_has(ctx, "GL_ARB_shader_ballot") && driver_has(ctx, "GL_ARB_shader_group_vote") &&
-        driver_has(ctx, "GL_ARB_gpu_shader_int64") && driver_has(ctx, "GL_ARB_gpu_shader5");
+    stages.has_sub_groups = ctx.kind.version >= GlVersion{4, 5} && driver_has(ctx, "GL_ARB_shader_ballot") &&
+                            driver_has(ctx, "GL_ARB_shader_group_vote") &&
+                            driver_has(ctx, "GL_ARB_gpu_shader_int64") &&
+                            driver_has(ctx, "GL_ARB_gpu_shader5");
     stages.has_ati_stage = ctx.kind.is_compatibility() && driver_has(ctx, "GL_ATI_fragment_shader");
     stages.has_sample_stage = driver_has(ctx, "GL_ARB_sample_shading");
     stages.binding_count = get(ctx, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS);

@@ -43,10 +43,8 @@ struct UnitStages {
     std::map<unsigned, GLuint> proxy_programs;  // by what they mark; 0 where one cannot be made
     std::map<unsigned, GLuint> shape_programs;
     GLuint shape_arrays = 0;    // a vertex array object
-    GLuint shape_vertices = 0;  // its buffers
-    GLuint shape_indices = 0;
-    GLsizeiptr shape_vertex_bytes = 0;
-    GLenum indexed_shape = 0;  // what shape_indices are for
+    GLuint shape_vertices = 0;  // its buffer
+    std::map<GLenum, GLuint> shape_indices;
     ResultBuffers results;
     DepthQuantiser quantiser;
 };

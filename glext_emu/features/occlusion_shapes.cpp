@@ -1,10 +1,69 @@
 // SPDX-License-Identifier: MIT
+// GL_EMU_occlusion_unit, the parallel form: many shapes in one call, each with a record of its own.
+#include <array>
+#include <cstddef>
+
+#include "context/list_pause.h"
+#include "context/shape_stage.h"
 #include "features/features.h"
 
 namespace glext_emu::features {
+namespace {
 
-void occlusion_unit_shapes_emu(Context&, GLbitfield, GLenum, GLsizei, const GLfloat*, const GLfloat*,
-                               GLuint) {
+using Matrix = std::array<GLfloat, 16>;
+
+// The product of the current matrices, rounded as the driver rounds it for fixed function.
+Matrix current_matrix(Context& ctx) {
+    Matrix projection{}, modelview{}, product{};
+    ctx.real->glGetFloatv(GL_PROJECTION_MATRIX, projection.data());
+    ctx.real->glGetFloatv(GL_MODELVIEW_MATRIX, modelview.data());
+    for (std::size_t column = 0; column < 4; ++column) {
+        for (std::size_t row = 0; row < 4; ++row) {
+            for (std::size_t k = 0; k < 4; ++k) {
+                product[4 * column + row] += projection[4 * k + row] * modelview[4 * column + k];
+            }
+        }
+    }
+    return product;
+}
+
+bool draws_fragments(Context& ctx) {
+    if (!ctx.kind.is_compatibility()) return true;
+    GLint mode = GL_RENDER;
+    ctx.real->glGetIntegerv(GL_RENDER_MODE, &mode);
+    return mode == GL_RENDER;
+}
+
+}  // namespace
+
+void occlusion_unit_shapes_emu(Context& ctx, GLbitfield registers, GLenum shape, GLsizei count,
+                               const GLfloat* vertices, const GLfloat* matrix, GLuint id) {
+    if (refuses_unit_query(ctx, registers, id)) return;
+    if (shape != GL_BOX_EMU && shape != GL_HEXAHEDRON_EMU && shape != GL_QUAD_EMU) {
+        return ctx.raise(GL_INVALID_ENUM);
+    }
+    const bool has_matrix = matrix != nullptr || ctx.kind.is_compatibility();
+    if (count < 0 || count > max_occlusion_shapes() || !has_matrix) return ctx.raise(GL_INVALID_VALUE);
+    const FramebufferInfo framebuffer = draw_framebuffer_info(ctx);
+    if (!framebuffer.is_complete) return ctx.raise(GL_INVALID_FRAMEBUFFER_OPERATION);
+
+    ProposedQuery& query = renew_proposed_query(ctx, id, GL_OCCLUSION_UNIT_EMU);
+    query.armed = registers;
+    query.record_count = count;
+    query.has_ended = true;
+    query.due = ctx.clock.due();
+    ctx.frame.queries_begun++;
+
+    const ListPause pause(ctx);
+    Matrix current{};
+    if (matrix == nullptr) {
+        current = current_matrix(ctx);
+        matrix = current.data();
+    }
+    const Shapes shapes{registers, shape, count, vertices, matrix, ctx.proposed.unit_far_end()};
+    auto run = std::make_unique<ShapeRun>(shapes);
+    if (draws_fragments(ctx)) run->draw(ctx, shapes, framebuffer);
+    query.pending = std::move(run);
 }
 
 }  // namespace glext_emu::features

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// The Occlusion Unit's parallel form over a driver: all shapes in one draw, by a program of the layer's own
+// whose fragment stage runs after the early depth test and notes for each shape what it sees; a second draw
+// counts what the depth test hides.
+#pragma once
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "context/fragment_tests.h"
+#include "context/framebuffer_info.h"
+#include "context/shape_geometry.h"
+#include "context/unit_run.h"
+#include "context/unit_stages.h"
+
+namespace glext_emu {
+
+// What is asked about, in the program's form.
+struct Shapes {
+    GLbitfield registers = 0;
+    GLenum kind = 0;  // BOX_EMU, HEXAHEDRON_EMU or QUAD_EMU
+    GLsizei count = 0;
+    const GLfloat* vertices = nullptr;
+    const GLfloat* matrix = nullptr;  // 16, column-major, to clip coordinates
+    occlusion_unit::FarEnd far_end = occlusion_unit::FarEnd::kOne;
+};
+
+class ShapeRun final : public PendingRecords {
+  public:
+    // True where this driver can do it in the present draw framebuffer.
+    static bool serves(Context& ctx, const FramebufferInfo& framebuffer);
+
+    explicit ShapeRun(const Shapes& shapes);
+    // Draws; the records are there later.
+    void draw(Context& ctx, const Shapes& shapes, const FramebufferInfo& framebuffer);
+
+    bool is_ready(Context& ctx) override;
+    void drain(Context& ctx, std::vector<occlusion_unit::Record>& records) override;
+    void drop(Context& ctx) override;
+
+  private:
+    // What one draw noted: of each shape a header, and a word for each column and row of pixels that it may
+    // touch.
+    struct Sheet {
+        ResultBuffers::Buffer buffer;
+        GLsizei first = 0;  // shape
+        GLsizei count = 0;
+        std::vector<GLint> places;  // of the shapes' columns
+        std::vector<PixelBounds> bounds;
+        GLint words = 0;
+    };
+
+    GLsizei lay_out(Context& ctx, const Shapes& shapes, GLsizei first, const WindowMap& window,
+                    std::vector<ShapeVertex>& vertices);
+    void draw_sheet(Context& ctx, const Shapes& shapes, const std::vector<ShapeVertex>& vertices,
+                    const FragmentTests& tests);
+    void read(Context& ctx, Sheet& sheet);
+
+    GLbitfield registers_;
+    occlusion_unit::FarEnd far_end_;
+    std::vector<occlusion_unit::Record> records_;
+    std::vector<Sheet> sheets_;  // not read yet
+    DepthPrecision precision_;
+    bool is_per_sample_ = false;
+    bool hits_tell_projected_ = false;  // every fragment passes the depth test
+    GLuint samples_per_fragment_ = 1;
+    GLsync fence_ = nullptr;
+};
+
+// Binds the vertices of shapes of <kind> and the program's vertex stage alone, for a driver that cannot do
+// better: <draw_one> is called for each shape, and its argument draws it.
+GLuint plain_shape_program(Context& ctx);
+
+}  // namespace glext_emu
