@@ -11,12 +11,13 @@ Unit::Unit(const UnitShape& shape) : shape_(shape), partials_(static_cast<std::s
     assert(shape.partial_counter_bits >= 1 && shape.partial_counter_bits <= 64);
 }
 
-void Unit::begin(std::uint32_t registers) {
+void Unit::begin(std::uint32_t registers, FarEnd far_end) {
     armed_ = registers & kAllRegisters;
+    far_end_ = far_end;
     projected_hits_ = 0;
     visible_hits_ = 0;
     Partial reset;
-    reset.nearest_depth = far_depth(shape_.far_end);
+    reset.nearest_depth = far_depth(far_end_);
     std::ranges::fill(partials_, reset);
 }
 
@@ -41,7 +42,7 @@ void Unit::step(int pipe, const Fragment& fragment) {
     }
     if (armed_ & kNearestDepth) {
         ++work_.depth_comparisons;
-        if (is_nearer(fragment.depth, partial.nearest_depth, shape_.far_end)) {
+        if (is_nearer(fragment.depth, partial.nearest_depth, far_end_)) {
             partial.nearest_depth = fragment.depth;
         }
     }
@@ -85,14 +86,14 @@ Record Unit::drain() {
     while (level.size() > 1) {
         const std::size_t half = (level.size() + 1) / 2;
         for (std::size_t i = 0; i + half < level.size(); ++i) {
-            level[i] = merged(level[i], level[i + half], shape_.far_end);
+            level[i] = merged(level[i], level[i + half], far_end_);
         }
         level.resize(half);
     }
     Record record = level.front();
     record.projected_hits = saturated_sum(record.projected_hits, projected_hits_);
     record.visible_hits = saturated_sum(record.visible_hits, visible_hits_);
-    return finished(saturated(record, shape_.counter_bits), shape_.far_end);
+    return finished(saturated(record, shape_.counter_bits), far_end_);
 }
 
 bool Unit::end(ReportQueue& queue) {

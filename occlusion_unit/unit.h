@@ -22,20 +22,20 @@ namespace occlusion_unit {
 struct Fragment {
     std::int32_t x = 0;  // window coordinates of the pixel
     std::int32_t y = 0;
-    float depth =
-        0;  // in [0, 1], as the depth buffer's format holds it; the nearest of the samples that pass
-    std::uint32_t samples =
-        1;  // that reach the depth test: after ownership, scissor, coverage, alpha and stencil test
-    std::uint32_t passing =
-        1;  // of those, the ones that pass it (the write enable of figure 12); at most <samples>
+    // In [0, 1], as the depth buffer's format holds it; of several samples that pass, the nearest.
+    float depth = 0;
+    // Samples that reach the depth test: after ownership, scissor, coverage, alpha and stencil test.
+    std::uint32_t samples = 1;
+    // Those of them that pass it, the write enable of figure 12; at most <samples>.
+    std::uint32_t passing = 1;
 };
 
 struct UnitShape {
     int pipes = 1;
-    int counter_bits = 64;  // of the two counters in a report
-    int partial_counter_bits =
-        16;  // of a pipe's own; a partial counter that a fragment would overflow drains first
-    FarEnd far_end = FarEnd::kOne;
+    // Of the two counters in a report, 1..64.
+    int counter_bits = 64;
+    // Of a pipe's own, 1..64. A partial counter that a fragment would overflow drains first.
+    int partial_counter_bits = 16;
 };
 
 // What the unit's parts did: an unarmed register does nothing, and is not paid for.
@@ -53,8 +53,8 @@ class Unit {
   public:
     explicit Unit(const UnitShape& shape);
 
-    // Arms <registers> and resets them.
-    void begin(std::uint32_t registers);
+    // Arms <registers> and resets them; nearest depth follows <far_end> until the next begin.
+    void begin(std::uint32_t registers, FarEnd far_end = FarEnd::kOne);
     // A fragment comes out of the depth test of <pipe>, 0..pipes-1. One of no sample does nothing.
     void step(int pipe, const Fragment& fragment);
     // Merges the partial units: the record as it stands now. Nothing is reset, so that a later one counts on.
@@ -80,6 +80,7 @@ class Unit {
 
     UnitShape shape_;
     std::uint32_t armed_ = 0;
+    FarEnd far_end_ = FarEnd::kOne;
     std::vector<Partial> partials_;
     // Where drained partial counters go; 64 bits inside, so that saturation at counter_bits is told only
     // once.

@@ -174,11 +174,8 @@ int print_costs(const std::vector<std::string>& names, bool as_json) {
         "\n{}\n{}\n", "Bits of registers, adders and comparators, and gates of two inputs.",
         "Rows with + are the registers of the Occlusion Unit; its own row has the queue's control too.");
     fmt::print(
-        "* and widths that a device does not state: {} pipes, {} reports, {} bits a coordinate, {} a depth, "
-        "{} a "
-        "counter.\n",
-        defaults.pipes, defaults.report_queue, defaults.coordinate_bits, defaults.depth_bits,
-        defaults.counter_bits);
+        "* not stated by the device: {} pipes, {} reports; likewise {} bits a coordinate, {} a depth.\n",
+        defaults.pipes, defaults.report_queue, defaults.coordinate_bits, defaults.depth_bits);
     return 0;
 }
 

@@ -53,33 +53,28 @@ rc::Gen<std::vector<Fragment>> any_fragments() {
     return rc::gen::container<std::vector<Fragment>>(any_fragment());
 }
 
-rc::Gen<UnitShape> any_shape() {
-    return rc::gen::map(
-        rc::gen::tuple(rc::gen::inRange(1, 17), rc::gen::inRange(1, 65), rc::gen::arbitrary<bool>()),
-        [](const auto& drawn) {
-            const auto& [pipes, partial_bits, is_reversed] = drawn;
-            return UnitShape{pipes, 64, partial_bits, is_reversed ? FarEnd::kZero : FarEnd::kOne};
-        });
+FarEnd far_end(bool is_reversed) {
+    return is_reversed ? FarEnd::kZero : FarEnd::kOne;
 }
 
-RC_GTEST_PROP(OcclusionUnit, however_fragments_fall_on_pipes_the_record_is_the_papers, ()) {
-    const UnitShape shape = *any_shape();
+RC_GTEST_PROP(OcclusionUnit, however_fragments_fall_on_pipes_the_record_is_the_papers, (bool is_reversed)) {
+    const int pipes = *rc::gen::inRange(1, 17);
+    const int partial_bits = *rc::gen::inRange(1, 65);
     const auto registers = *rc::gen::inRange<std::uint32_t>(0, kAllRegisters + 1);
     const std::vector<Fragment> fragments = *any_fragments();
-    Unit unit(shape);
-    unit.begin(registers);
-    for (const Fragment& fragment : fragments) unit.step(*rc::gen::inRange(0, shape.pipes), fragment);
-    RC_ASSERT(unit.drain() == by_hand(fragments, registers, shape.far_end));
+    Unit unit({pipes, 64, partial_bits});
+    unit.begin(registers, far_end(is_reversed));
+    for (const Fragment& fragment : fragments) unit.step(*rc::gen::inRange(0, pipes), fragment);
+    RC_ASSERT(unit.drain() == by_hand(fragments, registers, far_end(is_reversed)));
 }
 
 RC_GTEST_PROP(OcclusionUnit, the_order_of_fragments_does_not_matter, (bool is_reversed)) {
-    const UnitShape shape{4, 20, 5, is_reversed ? FarEnd::kZero : FarEnd::kOne};
     std::vector<Fragment> fragments = *any_fragments();
     const auto record_of = [&] {
-        Unit unit(shape);
-        unit.begin(kAllRegisters);
+        Unit unit({4, 20, 5});
+        unit.begin(kAllRegisters, far_end(is_reversed));
         int pipe = 0;
-        for (const Fragment& fragment : fragments) unit.step(pipe++ % shape.pipes, fragment);
+        for (const Fragment& fragment : fragments) unit.step(pipe++ % 4, fragment);
         return unit.drain();
     };
     const Record first = record_of();
@@ -93,7 +88,7 @@ RC_GTEST_PROP(OcclusionUnit, the_order_of_fragments_does_not_matter, (bool is_re
 RC_GTEST_PROP(OcclusionUnit, a_counter_stops_at_its_width_and_never_wraps, ()) {
     const int bits = *rc::gen::inRange(1, 12);
     const std::vector<Fragment> fragments = *any_fragments();
-    Unit unit({3, bits, *rc::gen::inRange(1, 12), FarEnd::kOne});
+    Unit unit({3, bits, *rc::gen::inRange(1, 12)});
     unit.begin(kAllRegisters);
     std::uint64_t last = 0;
     for (const Fragment& fragment : fragments) {
@@ -124,12 +119,31 @@ TEST(OcclusionUnit, hidden_fragments_are_projected_and_nothing_else) {
 }
 
 TEST(OcclusionUnit, begin_forgets_what_was_before) {
-    Unit unit({.far_end = FarEnd::kZero});
+    Unit unit({});
     unit.begin(kAllRegisters);
     unit.step(0, {.x = 5, .y = 6, .depth = 0.25f});
     EXPECT_EQ(unit.drain().box, (Box{5, 6, 5, 6}));
-    unit.begin(kAllRegisters);
+    unit.begin(kAllRegisters, FarEnd::kZero);
     EXPECT_EQ(unit.drain(), empty_record(kAllRegisters, FarEnd::kZero));
+    unit.begin(kProjectedHits);
+    EXPECT_EQ(unit.drain(), empty_record(kProjectedHits, FarEnd::kOne));
+}
+
+// End puts the record behind the others, or waits with it: nothing is lost, nothing is told twice.
+TEST(OcclusionUnit, a_full_queue_holds_the_unit_back) {
+    ReportQueue queue(1);
+    Unit unit({});
+    unit.begin(kVisibleHits);
+    unit.step(0, {});
+    EXPECT_TRUE(unit.end(queue));
+    unit.begin(kVisibleHits);
+    unit.step(0, {});
+    unit.step(0, {});
+    EXPECT_FALSE(unit.end(queue));
+    EXPECT_EQ(queue.pop()->visible_hits, 1u);
+    EXPECT_TRUE(unit.end(queue));
+    EXPECT_EQ(queue.pop()->visible_hits, 2u);
+    EXPECT_FALSE(queue.pop());
 }
 
 // An unarmed register costs no step: each register's work is there with it alone, and gone without it.
