@@ -59,7 +59,7 @@ void Draw::choose_mode(Random& random, const TargetKind& target) {
         GL_TRIANGLES,  GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_TRIANGLES,  GL_QUADS,
         GL_QUAD_STRIP, GL_POLYGON,        GL_LINES,        GL_LINE_STRIP, GL_POINTS};
     mode_ = random.one_of(kModes);
-    if (!is_whole) mode_ = GL_TRIANGLES;
+    if (!is_whole || (is_lines_or_points(mode_) && !machine().repeats_lines)) mode_ = GL_TRIANGLES;
     const Stages stages = pipeline_->stages;
     if (takes_triangles_only(stages)) {
         if (mode_ != GL_TRIANGLE_STRIP && mode_ != GL_TRIANGLE_FAN) mode_ = GL_TRIANGLES;

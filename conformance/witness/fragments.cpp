@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "harness/query.h"
 #include "witness/machine.h"
 
 namespace conformance {
@@ -35,7 +36,11 @@ Buffers routed(Scene& scene, const Draw& draw, float cleared, GLint index, bool 
         glStencilFuncSeparate(GL_BACK, only_front ? GL_NEVER : GL_EQUAL, index, 0xFF);
         glStencilOp(GL_INCR, GL_INCR, GL_INCR);
     }
+    // Softpipe interpolates depths of 16 bits another way while no query counts (sp_quad_depth_test.c).
+    const Query query;
+    query.begin();
     issue();
+    query.end();
     return scene.target().read();
 }
 

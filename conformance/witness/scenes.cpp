@@ -13,6 +13,7 @@
 #include "witness/machine.h"
 #include "witness/scene.h"
 #include "witness/simulation.h"
+#include "witness/unit.h"
 
 namespace conformance {
 namespace {
@@ -40,6 +41,7 @@ class Played : public ::testing::TestWithParam<int> {
   protected:
     void SetUp() override { scene_.emplace(static_cast<std::uint64_t>(GetParam())); }
     void TearDown() override {
+        if (!scene_) return;
         EXPECT_TRUE(no_error()) << "the scene left an error behind";
         if (HasFailure()) std::printf("scene %d: %s\n", GetParam(), scene_->description().c_str());
         neutral();
@@ -77,7 +79,68 @@ TEST_P(WitnessScenes, agree_with_the_samples_that_passed_and_the_buffers) {
     EXPECT_TRUE(same(simulation.buffers().stencil, driver.stencil, scene().target()));
 }
 
+class UnitScenes : public Played {
+  protected:
+    void SetUp() override {
+        if (!machine().has_unit) GTEST_SKIP() << "needs GL_EMU_occlusion_unit";
+        Played::SetUp();
+    }
+
+    // The scene's draws under the unit.
+    GLocclusionrecordEMU asked() {
+        scene().start();
+        set_far_end(scene().far_end());
+        const UnitQuery query;
+        query.begin();
+        scene().play_all();
+        query.end();
+        const GLocclusionrecordEMU record = query.records().front();
+        set_far_end(GL_ONE);
+        EXPECT_TRUE(no_error());
+        return record;
+    }
+
+    // Registers that the text allows to be undetermined here, and that are.
+    GLbitfield undetermined(const GLocclusionrecordEMU& record) {
+        GLbitfield allowed = 0;
+        if (scene().may_leave_nearest_depth()) allowed |= GL_NEAREST_DEPTH_BIT_EMU;
+        if (scene().may_leave_projected_hits()) allowed |= GL_PROJECTED_HITS_BIT_EMU;
+        const GLbitfield missing = GL_ALL_REGISTERS_EMU & ~record.registers;
+        EXPECT_EQ(missing & ~allowed, 0u) << "undetermined without need";
+        Determinacy& seen = machine().determinacy;
+        ++seen.records;
+        if (missing & GL_NEAREST_DEPTH_BIT_EMU) ++seen.without_nearest_depth;
+        if (missing & GL_PROJECTED_HITS_BIT_EMU) ++seen.without_projected_hits;
+        return missing;
+    }
+};
+
+// Every register is what the witness read back, and the unit changed no sample of any buffer.
+TEST_P(UnitScenes, registers_are_what_the_witness_read_back) {
+    const GLocclusionrecordEMU record = asked();
+    const Buffers after = scene().target().read(true);
+    scene().start();
+    scene().play_all();
+    const Buffers without = scene().target().read(true);
+    EXPECT_TRUE(same(after.depth, without.depth, scene().target()));
+    EXPECT_TRUE(same(after.stencil, without.stencil, scene().target()));
+    EXPECT_TRUE(same(after.colour, without.colour, scene().target()));
+
+    const Registers expected = witness().registers();
+    const GLbitfield missing = undetermined(record);
+    EXPECT_EQ(record.visible, expected.visible_hits != 0 ? 1u : 0u);
+    EXPECT_EQ(record.visible_hits, expected.visible_hits);
+    EXPECT_EQ(box_of(record), expected.box);
+    if (!(missing & GL_PROJECTED_HITS_BIT_EMU)) {
+        EXPECT_EQ(record.projected_hits, expected.projected_hits);
+    }
+    if (!(missing & GL_NEAREST_DEPTH_BIT_EMU)) {
+        EXPECT_EQ(record.nearest_depth, expected.nearest_depth);
+    }
+}
+
 PLAY_ON_FOUR_MACHINES(WitnessScenes, kShortScenes, kScenesOfMachine);
+PLAY_ON_FOUR_MACHINES(UnitScenes, kShortScenes, kScenesOfMachine);
 
 }  // namespace
 }  // namespace conformance
