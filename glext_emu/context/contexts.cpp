@@ -109,8 +109,8 @@ std::uint32_t always_hot(const Context& ctx) {
     constexpr std::uint32_t kCounting =
         kHotDraw | kHotPixels | kHotImmediate | kHotCall | kHotList | kHotQuery;
     // Commands that the driver may lack are there where they are emulated.
-    constexpr std::uint32_t kSupplied = kHotNvquery | kHotNvxrender | kHotInstrument | kHotVisibility |
-                                        kHotFardepth | kHotRegion | kHotUnit;
+    constexpr std::uint32_t kSupplied =
+        kHotNvquery | kHotNvxrender | kHotInstrument | kHotVisibility | kHotFardepth | kHotRegion | kHotUnit;
     std::uint32_t hot = 0;
     if (!wanted.report_path.empty()) hot |= kCounting;
     if (ctx.emulates_test) hot |= kHotEnable | kHotAttrib | kHotGet;
@@ -153,8 +153,10 @@ void initialise(Context& ctx) {
     ctx.emulates_regions = can_propose && device.emulates("GL_EMU_depth_region_query");
     ctx.emulates_unit = can_propose && device.emulates("GL_EMU_occlusion_unit");
     ctx.advertised = advertise(ctx, device);
-    ctx.repeats_draws = ctx.emulates_unit && ctx.kind.is_compatibility();
-    ctx.records_operations = ctx.kind.is_compatibility() && (ctx.follows_text || ctx.clock.delays());
+    ctx.probe.is_wanted = can_propose && settings().probes_unit;
+    ctx.repeats_draws = ctx.kind.is_compatibility() && (ctx.emulates_unit || ctx.probe.is_wanted);
+    ctx.records_operations =
+        ctx.kind.is_compatibility() && (ctx.follows_text || ctx.clock.delays() || ctx.probe.is_wanted);
     ctx.always_hot = always_hot(ctx);
     ctx.is_initialised = true;
     Report::instance().begin_context(ctx);
@@ -198,6 +200,7 @@ void context_leaves_thread() {
     // A context that is destroyed with a query still active crashes llvmpipe, whose rasteriser writes into
     // it; the program knows of no query, so it is not the one to blame. The next draw opens another segment.
     Context* const ctx = current.context;
+    if (ctx != nullptr && ctx->probe.is_wanted && !ctx->is_between_begin_and_end()) settle_probes(*ctx);
     if (ctx == nullptr || ctx->slot.open_segment == 0 || ctx->is_between_begin_and_end()) return;
     const ListPause pause(*ctx);
     close_segment(*ctx);
@@ -252,6 +255,7 @@ void buffers_swapped() {
     if (ctx == nullptr) return;
     ctx->clock.count_swap();
     ctx->draw_surface.has_size = false;
+    end_probes_frame(*ctx);
     Report::instance().end_frame(*ctx);
 }
 

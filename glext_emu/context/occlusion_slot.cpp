@@ -235,6 +235,7 @@ void delete_doomed(Context& ctx) {
             slot.flag = has_passed(ctx, name) || slot.flag;
             slot.ended_app_query = 0;
         }
+        settle_probe(ctx, name);
         slot.records.erase(name);
         const OwnCalls own(ctx);
         ctx.real->glDeleteQueries(1, &name);

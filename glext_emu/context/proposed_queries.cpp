@@ -50,6 +50,7 @@ void drain_records(Context& ctx, ProposedQuery& query) {
 void drain_all_records(Context& ctx) {
     if (ctx.proposed.run != nullptr) ctx.proposed.run->fold(ctx);
     for (auto& [name, query] : ctx.proposed.objects) drain_records(ctx, query);
+    settle_probes(ctx);
 }
 
 }  // namespace glext_emu

@@ -8,10 +8,12 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <charconv>
 #include <cstdio>
 #include <cstring>
 
 #include "context/contexts.h"
+#include "context/probe.h"
 #include "context/settings.h"
 
 namespace glext_emu {
@@ -42,6 +44,12 @@ std::string json_string(const char* text) {
         }
     }
     return out + '"';
+}
+
+const char* target_name(GLenum target) {
+    return target == GL_SAMPLES_PASSED       ? "SAMPLES_PASSED"
+           : target == GL_ANY_SAMPLES_PASSED ? "ANY_SAMPLES_PASSED"
+                                             : "ANY_SAMPLES_PASSED_CONSERVATIVE";
 }
 
 bool write_all(int file, const std::string& text, off_t at) {
@@ -145,9 +153,33 @@ void Report::add_frame(Context& ctx) {
            ",\"context\":" + std::to_string(ctx.number) + ",\"frame\":" + std::to_string(frame.index) +
            ",\"queries_begun\":" + std::to_string(frame.queries_begun) +
            ",\"polls\":" + std::to_string(frame.polls) + ",\"waits\":" + std::to_string(frame.waits) +
-           ",\"stall_ms\":" + stall_ms + ",\"results\":" + std::to_string(frame.results) +
-           ",\"draws\":" + std::to_string(frame.draws) +
-           ",\"triangles\":" + (frame.triangles_are_known ? std::to_string(frame.triangles) : "null") + "}");
+           ",\"stall_ms\":" + stall_ms + ",\"results\":" + std::to_string(frame.results) + ",\"draws\":" +
+           std::to_string(frame.draws) + ",\"pixels_read\":" + std::to_string(frame.pixels_read) +
+           ",\"triangles\":" + (frame.triangles_are_known ? std::to_string(frame.triangles) : "null") +
+           (settings().probes_unit ? ",\"unprobed\":" + std::to_string(frame.unprobed) : "") + "}");
+}
+
+void Report::add_probe(const Context& ctx, const ProbedQuery& query, const occlusion_unit::Record& record) {
+    const auto known = [&](std::uint32_t a_register, const std::string& text) {
+        return (record.registers & a_register) != 0 ? text : "null";
+    };
+    const occlusion_unit::Box& box = record.box;
+    const std::string corners = "[" + std::to_string(box.left) + "," + std::to_string(box.bottom) + "," +
+                                std::to_string(box.right) + "," + std::to_string(box.top) + "]";
+    // By to_chars: the shortest that reads back as the same float, whatever the locale.
+    char depth[32];
+    char* const depth_end = std::to_chars(depth, depth + sizeof depth, record.nearest_depth).ptr;
+    append("{\"kind\":\"probe\",\"pid\":" + std::to_string(getpid()) +
+           ",\"context\":" + std::to_string(ctx.number) + ",\"frame\":" + std::to_string(query.frame) +
+           ",\"query\":" + std::to_string(query.name) + ",\"target\":" +
+           json_string(target_name(query.target)) + ",\"draws\":" + std::to_string(query.draws) +
+           ",\"far\":" + (query.run->far_end() == occlusion_unit::FarEnd::kOne ? "1" : "0") +
+           ",\"visible\":" + known(occlusion_unit::kVisible, std::to_string(record.visible)) +
+           ",\"projected_hits\":" +
+           known(occlusion_unit::kProjectedHits, std::to_string(record.projected_hits)) +
+           ",\"visible_hits\":" + known(occlusion_unit::kVisibleHits, std::to_string(record.visible_hits)) +
+           ",\"nearest_depth\":" + known(occlusion_unit::kNearestDepth, std::string(depth, depth_end)) +
+           ",\"screen_box\":" + known(occlusion_unit::kScreenBox, corners) + "}");
 }
 
 void Report::end_frame(Context& ctx) {

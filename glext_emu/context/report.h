@@ -6,8 +6,14 @@
 //   {"glext_emu_report":1,"records":[
 //   {"kind":"context","pid":..,"program":..,"context":..,"platform":..,"device":..,"clock":..,"renderer":..,"version":..},
 //   {"kind":"frame","pid":..,"context":..,"frame":..,"queries_begun":..,"polls":..,"waits":..,"stall_ms":..,
-//    "results":..,"draws":..,"triangles":.. or null}
+//    "results":..,"draws":..,"pixels_read":..,"triangles":.. or null}
+//   {"kind":"probe","pid":..,"context":..,"frame":..,"query":..,"target":..,"draws":..,"far":0 or 1,
+//    "visible":..,"projected_hits":..,"visible_hits":..,"nearest_depth":..,
+//    "screen_box":[left,bottom,right,top] or null}
 //   ]}
+//
+// A probe record is one of the program's queries, with its name; a register that cannot be told is null. They
+// come when they are known, which may be frames later.
 //
 // A frame ends at a buffer swap; what follows the last swap is a frame of its own if anything happened in it.
 #pragma once
@@ -17,9 +23,12 @@
 #include <mutex>
 #include <string>
 
+#include "occlusion_unit/record.h"
+
 namespace glext_emu {
 
 struct Context;
+struct ProbedQuery;
 
 class Report {
   public:
@@ -37,6 +46,8 @@ class Report {
     void begin_context(const Context& ctx);
     void end_frame(Context& ctx);
     void end_context(Context& ctx);
+    // <query>, one of <ctx>, has the registers <record>.
+    void add_probe(const Context& ctx, const ProbedQuery& query, const occlusion_unit::Record& record);
     // Writes what is buffered.
     void flush();
 

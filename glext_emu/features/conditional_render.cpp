@@ -20,7 +20,7 @@ bool is_inverted(GLenum mode) {
 
 // True where the layer has to know which object decides, and when.
 bool is_followed(const Context& ctx) {
-    return ctx.follows_text || ctx.clock.delays();
+    return ctx.follows_text || ctx.clock.delays() || ctx.probe.is_wanted;
 }
 
 // From here on everything is drawn.

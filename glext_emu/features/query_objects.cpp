@@ -87,6 +87,7 @@ void delete_queries(Context& ctx, GLsizei n, const GLuint* ids) {
             ctx.slot.flag = has_passed(ctx, name) || ctx.slot.flag;
             ctx.slot.ended_app_query = 0;
         }
+        settle_probe(ctx, name);
         if (name == ctx.slot.app_query) ctx.slot.app_query = 0;
         delete_proposed_query(ctx, name);
         ctx.slot.records.erase(name);
@@ -132,6 +133,7 @@ void start_query(Context& ctx, GLenum target, GLuint id) {
     }
 
     close_segment(ctx);
+    settle_probe(ctx, id);
     ctx.real->glBeginQuery(real, id);
     if (id == 0 || active_query(ctx, real) != id) return ctx.update_hot();
     // ARB_occlusion_query, issues: BeginQuery "resets the sample count (and therefore the occlusion test
@@ -141,6 +143,7 @@ void start_query(Context& ctx, GLenum target, GLuint id) {
     ctx.slot.app_query = id;
     ctx.slot.app_target = target;
     ctx.slot.records[id] = {.target = target};
+    begin_probe(ctx, target, id);
     ctx.frame.queries_begun++;
     ctx.update_hot();
 }
@@ -180,6 +183,7 @@ void finish_query(Context& ctx, GLenum target) {
         ctx.slot.flag_due = record.due;
     }
     ctx.slot.app_query = 0;
+    end_probe(ctx);
     delete_doomed(ctx);
     ctx.update_hot();
 }

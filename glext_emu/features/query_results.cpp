@@ -159,6 +159,7 @@ void get_query_object(Context& ctx, GLuint id, GLenum pname, T* params, void (*r
     }
     if (params == nullptr) return real(id, pname, params);
     write_to_client(ctx, id, record, pname, params, [&](T* to) { real(id, pname, to); });
+    if (pname == GL_QUERY_RESULT) settle_probe(ctx, id);
 }
 
 // NV_occlusion_query: to client memory, whatever query buffer is bound.
@@ -169,6 +170,7 @@ void read_count_as(Context& ctx, GLuint id, GLenum pname, T* params) {
                                                  : nearest<T>(driver_count(ctx, id));
     };
     write_to_client(ctx, id, ctx.slot.records.at(id), pname, params, ask);
+    if (pname == GL_QUERY_RESULT) settle_probe(ctx, id);
 }
 
 // ARB_direct_state_access: the same into any buffer.
