@@ -42,6 +42,7 @@ void let_driver_finish(const Context& ctx, GLsync sync) {
 void finish(Context& ctx) {
     ctx.real->glFinish();
     ctx.clock.wait_until(ctx.clock.latest_due());
+    if (ctx.known_instruments != 0) deliver_measurements(ctx);
 }
 
 GLsync fence_sync(Context& ctx, GLenum condition, GLbitfield flags) {

@@ -39,6 +39,13 @@ bool is_ours(const Context& ctx, GLenum pname) {
         case GL_PIXEL_COUNTER_BITS_NV:
         case GL_CURRENT_OCCLUSION_QUERY_ID_NV:
             return ctx.emulates_nv_query;
+        case GL_INSTRUMENT_MEASUREMENTS_SGIX:
+            return ctx.known_instruments != 0;
+        case kDepthPassCounters:
+        case kDepthPassMax:
+            return is_instrument(ctx, kDepthPassInstrument);
+        case kVisibilityTest:
+            return ctx.emulates_visibility_test;
         case GL_FAR_DEPTH_EMU:
             return ctx.emulates_regions || ctx.emulates_unit;
         case GL_MAX_DEPTH_REGIONS_EMU:
@@ -74,6 +81,12 @@ Answer answer(Context& ctx, GLenum pname) {
     const Advertised& advertised = *ctx.advertised;
     const bool is_before_3_0 = advertised.version_differs && advertised.version < GlVersion{3, 0};
     switch (pname) {
+        case GL_INSTRUMENT_MEASUREMENTS_SGIX:
+            return {Answer::kOwn, ctx.instruments.measurements};
+        case kDepthPassCounters:
+            return {Answer::kOwn, 1};
+        case kDepthPassMax:
+            return {Answer::kOwn, static_cast<GLint64>(depth_pass_max(ctx))};
         case GL_FAR_DEPTH_EMU:
             return {Answer::kOwn, ctx.proposed.far_end};
         case GL_MAX_DEPTH_REGIONS_EMU:
@@ -115,6 +128,13 @@ template <class T>
 void get(Context& ctx, GLenum pname, T* params, void (*real)(GLenum, T*)) {
     if (params == nullptr || !is_ours(ctx, pname) || ctx.is_between_begin_and_end())
         return real(pname, params);
+    // Two values: HP's demonstration of 2001 gives the Get an array of two.
+    if (pname == kVisibilityTest) {
+        const bool has_all = read_visibility_tests(ctx);
+        params[0] = static_cast<T>(ctx.visibility.is_enabled);
+        params[1] = static_cast<T>(has_all);
+        return;
+    }
     const Answer found = answer(ctx, pname);
     if (found.kind == Answer::kForward) return real(pname, params);
     if (found.kind == Answer::kRefuse) return ctx.raise(GL_INVALID_ENUM);

@@ -24,8 +24,8 @@ class Generator(unittest.TestCase):
         (self.path / "gl.xml").write_text(self.registry)
         return subprocess.run(
             [sys.executable, REGISTRY_FOLDER / "generate.py", "--registry", self.path / "gl.xml",
-             "--registry", REGISTRY_FOLDER / "proposed.xml", "--hooks",
-             self.path / "hooks.list", "--out", self.path / "out"], capture_output=True, text=True)
+             "--registry", REGISTRY_FOLDER / "historic.xml", "--registry", REGISTRY_FOLDER / "proposed.xml",
+             "--hooks", self.path / "hooks.list", "--out", self.path / "out"], capture_output=True, text=True)
 
     def refuses(self, sentence):
         result = self.generate()
