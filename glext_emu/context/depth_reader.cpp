@@ -2,7 +2,7 @@
 #include "context/depth_reader.h"
 
 #include <algorithm>
-#include <array>
+#include <limits>
 
 #include "context/context.h"
 #include "context/pixel_pack.h"
@@ -24,24 +24,27 @@ DepthFormat format_of(const FramebufferInfo& info) {
 // that nobody asked for.
 constexpr std::int64_t kPixelsPerRead = 600;
 
+// The least rectangle that holds those that are not empty; empty where there are none.
 Rect union_of(std::span<const Rect> rects) {
-    GLint left = rects[0].x;
-    GLint bottom = rects[0].y;
-    GLint right = left;
-    GLint top = bottom;
+    constexpr GLint kMost = std::numeric_limits<GLint>::max();
+    GLint left = kMost;
+    GLint bottom = kMost;
+    GLint right = 0;
+    GLint top = 0;
     for (const Rect& rect : rects) {
+        if (rect.is_empty()) continue;
         left = std::min(left, rect.x);
         bottom = std::min(bottom, rect.y);
         right = std::max(right, rect.x + rect.width);
         top = std::max(top, rect.y + rect.height);
     }
-    return {left, bottom, right - left, top - bottom};
+    return left == kMost ? Rect{} : Rect{left, bottom, right - left, top - bottom};
 }
 
 bool is_union_cheaper(const Rect& all, std::span<const Rect> rects) {
     std::int64_t pixels = 0;
-    for (const Rect& rect : rects) pixels += rect.area() + kPixelsPerRead;
-    return all.area() + kPixelsPerRead < pixels;
+    for (const Rect& rect : rects) pixels += rect.is_empty() ? 0 : rect.area() + kPixelsPerRead;
+    return all.area() + kPixelsPerRead <= pixels;
 }
 
 bool is_end_of_range(DepthFormat format, DepthEnd end, std::uint32_t depth) {
@@ -81,13 +84,13 @@ GLenum pixel_type(DepthFormat format, GLenum pixels) {
     return GL_FLOAT;
 }
 
-void read_single_sampled(Context& ctx, const FramebufferInfo& info, DepthEnd end, std::span<const Rect> rects,
-                         std::span<DepthBound> bounds) {
+void read_single_sampled(Context& ctx, const FramebufferInfo& info, DepthEnd end, const Rect& all,
+                         std::span<const Rect> rects, std::span<DepthBound> bounds) {
     const DepthFormat format = format_of(info);
     const GLenum pixels = pixel_format(format, info);
     const std::size_t pixel_size = bytes_per_pixel(format);
     std::vector<std::byte>& scratch = ctx.depth_reader.scratch;
-    const PixelPack pack(ctx, rects.size() > 1);
+    const PixelPack pack(ctx, info.name, rects.size() > 1);
 
     Rect held;  // what scratch holds now
     std::size_t stride = 0;
@@ -101,11 +104,11 @@ void read_single_sampled(Context& ctx, const FramebufferInfo& info, DepthEnd end
         held = rect;
     };
 
-    const Rect all = union_of(rects);
-    const bool is_read_at_once = rects.size() == 1 || is_union_cheaper(all, rects);
+    const bool is_read_at_once = is_union_cheaper(all, rects);
     if (is_read_at_once) read(all);
     for (std::size_t i = 0; i < rects.size(); ++i) {
         const Rect& rect = rects[i];
+        if (rect.is_empty()) continue;
         if (!is_read_at_once) read(rect);
         const std::byte* first = scratch.data() + static_cast<std::size_t>(rect.y - held.y) * stride +
                                  static_cast<std::size_t>(rect.x - held.x) * pixel_size;
@@ -135,9 +138,11 @@ Rect clipped(const Rect& rect, GLsizei width, GLsizei height) {
 
 bool read_depth_bounds(Context& ctx, const FramebufferInfo& info, DepthEnd end, std::span<const Rect> rects,
                        std::span<DepthBound> bounds) {
+    const Rect all = union_of(rects);
+    if (all.is_empty()) return true;
     const OwnCalls own(ctx);
-    if (info.samples != 0) return read_multisampled(ctx, info, end, rects, bounds);
-    read_single_sampled(ctx, info, end, rects, bounds);
+    if (info.samples != 0) return read_multisampled(ctx, info, end, all, rects, bounds);
+    read_single_sampled(ctx, info, end, all, rects, bounds);
     return true;
 }
 

@@ -106,7 +106,7 @@ ImageSize texture_size(const Context& ctx, GLenum attachment, GLuint name) {
 }
 
 FramebufferInfo framebuffer_object(Context& ctx, GLuint framebuffer) {
-    FramebufferInfo info;
+    FramebufferInfo info{.name = framebuffer};
     if (ctx.real->glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return info;
     info.is_complete = true;
     info.samples = sample_count(ctx);

@@ -10,6 +10,7 @@ namespace glext_emu {
 struct Context;
 
 struct FramebufferInfo {
+    GLuint name = 0;    // 0: the default framebuffer
     GLsizei width = 0;  // in pixels; of attachments of different sizes what they have in common
     GLsizei height = 0;
     GLint samples = 0;     // 0: single-sampled

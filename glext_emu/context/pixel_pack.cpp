@@ -18,19 +18,19 @@ void set_depth_transfer(Context& ctx, GLfloat scale, GLfloat bias) {
 
 }  // namespace
 
-PixelPack::PixelPack(Context& ctx, bool obeys_order)
+PixelPack::PixelPack(Context& ctx, GLuint framebuffer, bool obeys_order)
     : ctx_(ctx),
+      framebuffer_(framebuffer),
       stores_{{{GL_PACK_ROW_LENGTH},
                {GL_PACK_SKIP_ROWS},
                {GL_PACK_SKIP_PIXELS},
                {GL_PACK_SWAP_BYTES},
                {kPackInvertMesa}}} {
     const RealGl& real = *ctx.real;
-    real.glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_framebuffer_);
-    real.glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_framebuffer_);
-    if (read_framebuffer_ != draw_framebuffer_) {
-        real.glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(draw_framebuffer_));
-    }
+    GLint read_framebuffer = 0;
+    real.glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_framebuffer);
+    read_framebuffer_ = static_cast<GLuint>(read_framebuffer);
+    if (read_framebuffer_ != framebuffer_) real.glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
     real.glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &pack_buffer_);
     if (pack_buffer_ != 0) real.glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     GLint alignment = 1;
@@ -53,9 +53,7 @@ PixelPack::~PixelPack() {
         if (store.value != 0) real.glPixelStorei(store.name, store.value);
     }
     if (pack_buffer_ != 0) real.glBindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(pack_buffer_));
-    if (read_framebuffer_ != draw_framebuffer_) {
-        real.glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_framebuffer_));
-    }
+    if (read_framebuffer_ != framebuffer_) real.glBindFramebuffer(GL_READ_FRAMEBUFFER, read_framebuffer_);
     if (depth_scale_ != 1 || depth_bias_ != 0) set_depth_transfer(ctx_, depth_scale_, depth_bias_);
 }
 

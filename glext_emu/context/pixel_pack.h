@@ -14,9 +14,9 @@ struct Context;
 
 class PixelPack {
   public:
-    // Reads from the draw framebuffer into client memory, rows one after the other from the lowest, without
-    // depth scale and bias. <obeys_order>: it matters in which order the rows come.
-    PixelPack(Context& ctx, bool obeys_order);
+    // Reads from <framebuffer> into client memory, rows one after the other from the lowest, without depth
+    // scale and bias. <obeys_order>: it matters in which order the rows come.
+    PixelPack(Context& ctx, GLuint framebuffer, bool obeys_order);
     ~PixelPack();
     PixelPack(const PixelPack&) = delete;
     PixelPack& operator=(const PixelPack&) = delete;
@@ -33,8 +33,8 @@ class PixelPack {
     };
 
     Context& ctx_;
-    GLint draw_framebuffer_ = 0;
-    GLint read_framebuffer_ = 0;
+    GLuint framebuffer_;
+    GLuint read_framebuffer_ = 0;  // the program's
     GLint pack_buffer_ = 0;
     std::size_t alignment_ = 1;
     std::array<Store, 5> stores_;

@@ -10,7 +10,7 @@
 namespace glext_emu {
 
 // read_depth_bounds of a multisampled framebuffer.
-bool read_multisampled(Context& ctx, const FramebufferInfo& info, DepthEnd end, std::span<const Rect> rects,
-                       std::span<DepthBound> bounds);
+bool read_multisampled(Context& ctx, const FramebufferInfo& info, DepthEnd end, const Rect& all,
+                       std::span<const Rect> rects, std::span<DepthBound> bounds);
 
 }  // namespace glext_emu

@@ -12,6 +12,7 @@
 
 #include "context/depth_reader.h"
 #include "context/framebuffer_info.h"
+#include "context/report.h"
 #include "context/settings.h"
 #include "features/features.h"
 #include "features/query_buffers.h"
@@ -20,14 +21,15 @@
 namespace glext_emu::features {
 namespace {
 
-struct Regions {
+// A command's regions, clipped, are in ctx.depth_reader.rects: a question about one tile takes a microsecond,
+// so no memory is asked for.
+struct Question {
     GLenum pname;
     FramebufferInfo framebuffer;
-    std::vector<Rect> rects;  // clipped
 };
 
-// The regions of a command, or nothing, with the error raised.
-std::optional<Regions> regions_of(Context& ctx, GLenum pname, GLsizei count, const GLint* rectangles) {
+// Nothing where the command is in error, which is raised.
+std::optional<Question> question_of(Context& ctx, GLenum pname, GLsizei count, const GLint* rectangles) {
     const bool is_known =
         pname == GL_REGION_OCCLUDED_EMU || pname == GL_FURTHEST_DEPTH_EMU || pname == GL_NEAREST_DEPTH_EMU;
     if (!is_known) return ctx.raise(GL_INVALID_ENUM), std::nullopt;
@@ -36,62 +38,56 @@ std::optional<Regions> regions_of(Context& ctx, GLenum pname, GLsizei count, con
         const GLint* const size = rectangles + 4 * i + 2;
         if (size[0] < 0 || size[1] < 0) return ctx.raise(GL_INVALID_VALUE), std::nullopt;
     }
-    Regions regions{pname, draw_framebuffer_info(ctx), {}};
-    const FramebufferInfo& framebuffer = regions.framebuffer;
+    const Question question{pname, draw_framebuffer_info(ctx)};
+    const FramebufferInfo& framebuffer = question.framebuffer;
     if (!framebuffer.is_complete) return ctx.raise(GL_INVALID_FRAMEBUFFER_OPERATION), std::nullopt;
     if (framebuffer.depth_bits == 0) return ctx.raise(GL_INVALID_OPERATION), std::nullopt;
-    regions.rects.reserve(static_cast<std::size_t>(count));
+    std::vector<Rect>& rects = ctx.depth_reader.rects;
+    rects.clear();
     for (GLsizei i = 0; i < count; ++i) {
         const GLint* const rect = rectangles + 4 * i;
-        regions.rects.push_back(
-            clipped({rect[0], rect[1], rect[2], rect[3]}, framebuffer.width, framebuffer.height));
+        rects.push_back(clipped({rect[0], rect[1], rect[2], rect[3]}, framebuffer.width, framebuffer.height));
     }
-    return regions;
+    return question;
 }
 
-// One value a region, or nothing where the driver cannot tell, with the error raised.
-std::optional<std::vector<GLfloat>> evaluate(Context& ctx, const Regions& regions) {
+// Writes one value a region; false where the driver cannot tell, with the error raised.
+bool answer(Context& ctx, const Question& question, std::span<GLfloat> values) {
     const bool is_far_at_one = ctx.proposed.far_end == GL_ONE;
-    const bool asks_for_nearest = regions.pname == GL_NEAREST_DEPTH_EMU;
+    const bool asks_for_nearest = question.pname == GL_NEAREST_DEPTH_EMU;
     const DepthEnd end = is_far_at_one != asks_for_nearest ? DepthEnd::kGreatest : DepthEnd::kLeast;
-
-    std::vector<Rect> held;  // those that hold pixels
-    held.reserve(regions.rects.size());
-    std::uint64_t pixels = 0;
-    for (const Rect& rect : regions.rects) {
-        if (rect.is_empty()) continue;
-        held.push_back(rect);
-        pixels += static_cast<std::uint64_t>(rect.area());
-    }
-    std::vector<DepthBound> bounds(held.size());
-    if (!held.empty() && !read_depth_bounds(ctx, regions.framebuffer, end, held, bounds)) {
-        return ctx.raise(GL_OUT_OF_MEMORY), std::nullopt;
-    }
-    ctx.proposed.pixels_read += pixels;
-    ctx.frame.pixels_read += pixels;
-
     // Of no depth at all the furthest is the nearest that there can be, and the other way round.
     const DepthBound of_none{.depth = end == DepthEnd::kGreatest ? 0.0F : 1.0F, .is_at_end = false};
-    std::vector<GLfloat> values;
-    values.reserve(regions.rects.size());
-    std::size_t next = 0;
-    for (const Rect& rect : regions.rects) {
-        const DepthBound& bound = rect.is_empty() ? of_none : bounds[next++];
-        const bool is_state = regions.pname == GL_REGION_OCCLUDED_EMU;
-        values.push_back(is_state ? (bound.is_at_end ? 0.0F : 1.0F) : bound.depth);
+
+    DepthReader& reader = ctx.depth_reader;
+    reader.bounds.assign(reader.rects.size(), of_none);
+    if (!read_depth_bounds(ctx, question.framebuffer, end, reader.rects, reader.bounds)) {
+        ctx.raise(GL_OUT_OF_MEMORY);
+        return false;
     }
-    return values;
+    std::uint64_t pixels = 0;
+    for (const Rect& rect : reader.rects) pixels += static_cast<std::uint64_t>(rect.area());
+    ctx.proposed.pixels_read += pixels;
+    ctx.frame.pixels_read += pixels;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const DepthBound& bound = reader.bounds[i];
+        const GLfloat state = bound.is_at_end ? 0.0F : 1.0F;
+        values[i] = question.pname == GL_REGION_OCCLUDED_EMU ? state : bound.depth;
+    }
+    return true;
 }
 
-// A result of 32 bits: of the state 0 or 1, of depths the float, whose bits are ordered as the depths are.
-GLuint word_of(GLenum pname, GLfloat value) {
-    return pname == GL_REGION_OCCLUDED_EMU ? static_cast<GLuint>(value) : std::bit_cast<GLuint>(value);
-}
-
-std::vector<GLuint> words_of(GLenum pname, std::span<const GLfloat> values) {
+// Results of 32 bits: of the state 0 or 1, of depths the floats, whose bits are ordered as the depths are.
+// None where the driver cannot tell, with the error raised.
+std::vector<GLuint> answer_in_words(Context& ctx, const Question& question) {
+    std::vector<GLfloat> values(ctx.depth_reader.rects.size());
+    if (!answer(ctx, question, values)) return {};
     std::vector<GLuint> words;
     words.reserve(values.size());
-    for (const GLfloat value : values) words.push_back(word_of(pname, value));
+    for (const GLfloat value : values) {
+        words.push_back(question.pname == GL_REGION_OCCLUDED_EMU ? static_cast<GLuint>(value)
+                                                                 : std::bit_cast<GLuint>(value));
+    }
     return words;
 }
 
@@ -142,45 +138,42 @@ void get_depth_regionfv_emu(Context& ctx, GLenum pname, GLint x, GLint y, GLsize
 
 void get_depth_regionsfv_emu(Context& ctx, GLenum pname, GLsizei count, const GLint* rectangles,
                              GLfloat* values) {
-    const auto regions = regions_of(ctx, pname, count, rectangles);
-    if (!regions) return;
-    const StallScope stall(ctx);
+    const auto question = question_of(ctx, pname, count, rectangles);
+    if (!question) return;
+    // Reading the time takes as long as reading a hundred depths.
+    std::optional<StallScope> stall;
+    if (Report::instance().is_wanted()) stall.emplace(ctx);
     const occlusion_unit::Tick due = ctx.clock.due();
-    const auto results = evaluate(ctx, *regions);
+    const bool is_answered = answer(ctx, *question, {values, ctx.depth_reader.rects.size()});
     ctx.clock.wait_until(due);
-    if (!results) return;
-    std::ranges::copy(*results, values);
-    ctx.frame.results += results->size();
+    if (is_answered) ctx.frame.results += static_cast<std::uint64_t>(count);
 }
 
 void query_depth_regions_emu(Context& ctx, GLenum pname, GLsizei count, const GLint* rectangles,
                              const GLuint* ids) {
-    const auto regions = regions_of(ctx, pname, count, rectangles);
-    if (!regions) return;
-    const std::span names(ids, regions->rects.size());
+    const auto question = question_of(ctx, pname, count, rectangles);
+    if (!question) return;
+    const std::span names(ids, static_cast<std::size_t>(count));
     if (refuses_names(ctx, names)) return;
     const occlusion_unit::Tick due = ctx.clock.due();
-    const auto results = evaluate(ctx, *regions);
-    if (!results) return;
-    const std::vector<GLuint> words = words_of(pname, *results);
-    for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::vector<GLuint> words = answer_in_words(ctx, *question);
+    for (std::size_t i = 0; i < words.size(); ++i) {
         ProposedQuery& query = renew_proposed_query(ctx, names[i], GL_DEPTH_REGION_EMU);
         query.word = words[i];
         query.due = due;
         query.has_ended = true;
     }
-    ctx.frame.queries_begun += names.size();
+    ctx.frame.queries_begun += words.size();
     ctx.update_hot();
 }
 
 void query_depth_regions_buffer_emu(Context& ctx, GLenum pname, GLsizei count, const GLint* rectangles,
                                     GLuint buffer, GLintptr offset) {
-    const auto regions = regions_of(ctx, pname, count, rectangles);
-    if (!regions || refuses_buffer(ctx, count, buffer, offset) || count == 0) return;
+    const auto question = question_of(ctx, pname, count, rectangles);
+    if (!question || refuses_buffer(ctx, count, buffer, offset)) return;
     const occlusion_unit::Tick due = ctx.clock.due();
-    const auto results = evaluate(ctx, *regions);
-    if (!results) return;
-    const std::vector<GLuint> words = words_of(pname, *results);
+    const std::vector<GLuint> words = answer_in_words(ctx, *question);
+    if (words.empty()) return;
     // The machine's pipeline is in order: whoever reads the buffer gets the results, so they are waited for.
     const StallScope stall(ctx);
     ctx.clock.wait_until(due);
