@@ -22,6 +22,8 @@
 #include "context/frame_counts.h"
 #include "context/instruments.h"
 #include "context/occlusion_slot.h"
+#include "context/private_copy.h"
+#include "context/probe.h"
 #include "context/proposed_queries.h"
 #include "context/visibility_tests.h"
 #include "occlusion_unit/clock.h"
@@ -108,6 +110,8 @@ struct Context {
     VisibilityTests visibility;
     ConditionalRender conditional;
     ProposedQueries proposed;
+    PrivateCopy private_copy;
+    ProbeLog probe;
     std::shared_ptr<UnitStages> unit_stages;  // once fragments were looked at
     DrawSurface draw_surface;  // behind the default framebuffer, for drawing
     DepthReader depth_reader;

@@ -21,6 +21,9 @@ namespace glext_emu {
 
 struct Context;
 
+// What a draw makes fragments of. <kDepthCopy>: of what lies in the depth buffer.
+enum class DrawKind { kNothing, kPrimitives, kPixels, kDepthCopy };
+
 // An emulated command with its arguments, as it was compiled.
 struct ListOperation {
     void (*run)(Context& ctx, const ListOperation& operation);
@@ -33,7 +36,7 @@ struct ListOperation {
 struct ListStep {
     GLuint real_list = 0;  // 0: the operation
     ListOperation operation{};
-    bool is_draw = false;  // the list is one draw, which can be repeated
+    DrawKind draws = DrawKind::kNothing;  // the list is one draw, which can be repeated
 };
 
 struct ShareGroup;

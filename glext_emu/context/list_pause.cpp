@@ -55,16 +55,15 @@ void open_step(Context& ctx) {
 
 bool open_draw_step(Context& ctx) {
     close_step(ctx);
-    const bool is_repeated_now =
-        ctx.recording.mode == GL_COMPILE_AND_EXECUTE && ctx.proposed.run != nullptr;
+    const bool is_repeated_now = ctx.recording.mode == GL_COMPILE_AND_EXECUTE && ctx.proposed.run != nullptr;
     ctx.recording.segment = make_hidden_list(ctx);
     ctx.real->glNewList(ctx.recording.segment, is_repeated_now ? GL_COMPILE : ctx.recording.mode);
     return is_repeated_now;
 }
 
-void close_draw_step(Context& ctx) {
+void close_draw_step(Context& ctx, DrawKind kind) {
     close_step(ctx);
-    ctx.recording.steps.back().is_draw = true;
+    ctx.recording.steps.back().draws = kind;
 }
 
 ListPause::ListPause(Context& ctx) : ctx_(ctx), is_pausing_(ctx.recording.is_open()) {

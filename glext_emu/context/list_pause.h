@@ -20,7 +20,7 @@ void open_step(Context& ctx);
 // The same around a draw that has to stand alone, so that it can be repeated: true where it is only compiled,
 // and so still has to be executed under COMPILE_AND_EXECUTE.
 bool open_draw_step(Context& ctx);
-void close_draw_step(Context& ctx);
+void close_draw_step(Context& ctx, DrawKind kind);
 
 // Inside this scope the driver executes the layer's own calls instead of compiling them. Does nothing where
 // no list is being compiled.

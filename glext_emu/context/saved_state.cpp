@@ -99,6 +99,33 @@ void SavedState::write_nothing() {
     });
 }
 
+void SavedState::set_all_bits() {
+    const RealGl& real = *ctx_.real;
+    std::array<GLboolean, 4> on{};
+    real.glGetBooleani_v(GL_COLOR_WRITEMASK, 0, on.data());
+    real.glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    undo([&real, on] { real.glColorMaski(0, on[0], on[1], on[2], on[3]); });
+    set(GL_COLOR_LOGIC_OP, true);
+    const auto was = static_cast<GLenum>(get(GL_LOGIC_OP_MODE));
+    real.glLogicOp(GL_SET);
+    undo([&real, was] { real.glLogicOp(was); });
+}
+
+void SavedState::ignore_depth_in_stencil() {
+    const RealGl& real = *ctx_.real;
+    const auto op = [&](GLenum name) { return static_cast<GLenum>(get(name)); };
+    const std::array front = {op(GL_STENCIL_FAIL), op(GL_STENCIL_PASS_DEPTH_FAIL),
+                              op(GL_STENCIL_PASS_DEPTH_PASS)};
+    const std::array back = {op(GL_STENCIL_BACK_FAIL), op(GL_STENCIL_BACK_PASS_DEPTH_FAIL),
+                             op(GL_STENCIL_BACK_PASS_DEPTH_PASS)};
+    real.glStencilOpSeparate(GL_FRONT, front[0], front[2], front[2]);
+    real.glStencilOpSeparate(GL_BACK, back[0], back[2], back[2]);
+    undo([&real, front, back] {
+        real.glStencilOpSeparate(GL_FRONT, front[0], front[1], front[2]);
+        real.glStencilOpSeparate(GL_BACK, back[0], back[1], back[2]);
+    });
+}
+
 void SavedState::depth_mask(bool is_on) {
     const RealGl& real = *ctx_.real;
     const bool was_on = get(GL_DEPTH_WRITEMASK) != 0;
@@ -138,6 +165,20 @@ void SavedState::bind_framebuffer(GLuint framebuffer) {
         real.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, draw);
         real.glBindFramebuffer(GL_READ_FRAMEBUFFER, read);
     });
+}
+
+void SavedState::bind_draw_framebuffer(GLuint framebuffer) {
+    const RealGl& real = *ctx_.real;
+    const auto was = static_cast<GLuint>(get(GL_DRAW_FRAMEBUFFER_BINDING));
+    real.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    undo([&real, was] { real.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, was); });
+}
+
+void SavedState::bind_read_framebuffer(GLuint framebuffer) {
+    const RealGl& real = *ctx_.real;
+    const auto was = static_cast<GLuint>(get(GL_READ_FRAMEBUFFER_BINDING));
+    real.glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    undo([&real, was] { real.glBindFramebuffer(GL_READ_FRAMEBUFFER, was); });
 }
 
 // The first viewport alone: the layer's draws go to no other.
@@ -180,7 +221,8 @@ void SavedState::read_plainly() {
         undo([&real, name, was] { real.glPixelStorei(name, was); });
     }
     if (!ctx_.kind.is_compatibility()) return;
-    static constexpr Setting kTransfer[] = {{GL_DEPTH_SCALE, 1}, {GL_DEPTH_BIAS, 0}};
+    static constexpr Setting kTransfer[] = {
+        {GL_DEPTH_SCALE, 1}, {GL_DEPTH_BIAS, 0}, {GL_RED_SCALE, 1}, {GL_RED_BIAS, 0}, {GL_MAP_COLOR, 0}};
     for (const auto& [name, plain] : kTransfer) {
         GLfloat was = 0;
         real.glGetFloatv(name, &was);

@@ -29,15 +29,21 @@ class SavedState {
     void draw_plain_polygons();
     // No draw writes colour, depth or stencil.
     void write_nothing();
+    // Every draw sets all bits of colour attachment 0, whatever colour it has.
+    void set_all_bits();
+    // Stencil does after a failed depth test what it does after a passed one.
+    void ignore_depth_in_stencil();
     void depth_mask(bool is_on);
     void depth_func(GLenum func);
     // 0: none of the program's.
     void use_program(GLuint program);
     void bind_vertex_array(GLuint array);
-    // To draw to, and to read from.
+    // To draw to, and to read from; or one of the two.
     void bind_framebuffer(GLuint framebuffer);
+    void bind_draw_framebuffer(GLuint framebuffer);
+    void bind_read_framebuffer(GLuint framebuffer);
     void viewport(GLsizei width, GLsizei height);
-    // ReadPixels writes rows without a gap to client memory, depths as they are.
+    // ReadPixels writes rows without a gap to client memory, depths and reds as they are.
     void read_plainly();
 
   private:

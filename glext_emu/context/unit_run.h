@@ -47,6 +47,7 @@ class UnitRun final : public PendingRecords {
     bool watches() const { return counter_ == VisibleHitsBy::kWatchedQuery; }
     // True while <registers>, or some of them, are armed and still exact.
     bool wants(GLbitfield registers) const { return (armed_ & determined_ & registers) != 0; }
+    GLbitfield wanted(GLbitfield registers) const { return armed_ & determined_ & registers; }
     // From here on <registers> cannot be told exactly.
     void give_up(GLbitfield registers) { determined_ &= ~registers; }
 

@@ -74,9 +74,14 @@ Known look_up(Context& ctx, GLuint list) {
 }
 
 // Plays a list of the driver's own.
-void play(Context& ctx, GLuint real_list, BeginEnd begin_end) {
+void play(Context& ctx, GLuint real_list, BeginEnd begin_end, DrawKind kind = DrawKind::kPrimitives) {
     if (begin_end == BeginEnd::kOpens) remember_list_base(ctx);
-    draw(ctx, unknown(), [&] { ctx.real->glCallList(real_list); });
+    const auto call = [&] { ctx.real->glCallList(real_list); };
+    if (kind == DrawKind::kNothing && begin_end == BeginEnd::kUnchanged) {
+        call();
+    } else {
+        draw(ctx, {0, false, kind}, call);
+    }
     if (ctx.recording.is_open()) ctx.recording.follow(begin_end);
     if (begin_end != BeginEnd::kUnchanged && !ctx.recording.only_compiles()) {
         ctx.set_inside_begin_end(begin_end == BeginEnd::kOpens);
@@ -99,7 +104,9 @@ void execute(Context& ctx, GLuint list) {
             const bool is_in_error = !step.operation.calls_lists && ctx.is_between_begin_and_end();
             if (!is_in_error) step.operation.run(ctx, step.operation);
         } else {
-            play(ctx, step.real_list, look_up(ctx, step.real_list).begin_end);
+            // Of a list that is not split into its draws, nobody knows what it draws.
+            const DrawKind kind = ctx.repeats_draws ? step.draws : DrawKind::kPrimitives;
+            play(ctx, step.real_list, look_up(ctx, step.real_list).begin_end, kind);
         }
     }
     --nesting;

@@ -2,6 +2,7 @@
 // What happens around a draw: the HP test's segment is opened when the first draw needs it, so that enabling
 // the test costs nothing; the report counts; and what the Occlusion Unit watches is drawn in a way that can
 // be repeated.
+#include "context/unit_run.h"
 #include "features/features.h"
 #include "features/list_recorder.h"
 
@@ -67,9 +68,9 @@ bool stands_alone(const Context& ctx) {
 }
 
 // Executes a draw that has only been compiled.
-void play_step(Context& ctx, GLuint list) {
+void play_step(Context& ctx, GLuint list, Triangles triangles) {
     ctx.recording.is_suspended = true;
-    draw(ctx, unknown(), [&] { ctx.real->glCallList(list); });
+    draw(ctx, triangles, [&] { ctx.real->glCallList(list); });
     ctx.recording.is_suspended = false;
 }
 
@@ -78,9 +79,17 @@ void draw_in_list(Context& ctx, Triangles triangles, DrawCall call) {
     if (!is_still_to_do && !ctx.recording.only_compiles()) before_draw(ctx, triangles);
     call();
     const GLuint list = ctx.recording.segment;
-    close_draw_step(ctx);
-    if (is_still_to_do) play_step(ctx, list);
+    close_draw_step(ctx, triangles.kind);
+    if (is_still_to_do) play_step(ctx, list, triangles);
     open_step(ctx);
+}
+
+void draw_rectangle(Context& ctx, GLenum pixels, DrawKind kind, DrawCall call) {
+    if (!counts_too_much(ctx, pixels)) return draw(ctx, no_triangles(kind), call);
+    const CountPause pause(ctx);
+    if (ctx.proposed.run != nullptr) ctx.proposed.run->close_segment(ctx);
+    count_draw(ctx, no_triangles(kind));
+    call();
 }
 
 }  // namespace
@@ -91,21 +100,20 @@ void draw(Context& ctx, Triangles triangles, DrawCall call) {
     if (ctx.recording.only_compiles() || ctx.inside_begin_end) return call();
     before_draw(ctx, triangles);
     if (ctx.proposed.run != nullptr && !ctx.recording.is_open()) [[unlikely]]
-        return draw_under_unit(ctx, call);
+        return draw_under_unit(ctx, triangles.kind, call);
     call();
 }
 
 void draw_pixels(Context& ctx, GLsizei width, GLsizei height, GLenum format, GLenum type,
                  const void* pixels) {
-    std::optional<CountPause> pause;
-    if (counts_too_much(ctx, format)) pause.emplace(ctx);
-    draw(ctx, no_triangles(), [&] { ctx.real->glDrawPixels(width, height, format, type, pixels); });
+    draw_rectangle(ctx, format, DrawKind::kPixels,
+                   [&] { ctx.real->glDrawPixels(width, height, format, type, pixels); });
 }
 
 void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
-    std::optional<CountPause> pause;
-    if (counts_too_much(ctx, type)) pause.emplace(ctx);
-    draw(ctx, no_triangles(), [&] { ctx.real->glCopyPixels(x, y, width, height, type); });
+    const bool is_of_depth = type == GL_DEPTH || type == GL_DEPTH_STENCIL;
+    draw_rectangle(ctx, type, is_of_depth ? DrawKind::kDepthCopy : DrawKind::kPixels,
+                   [&] { ctx.real->glCopyPixels(x, y, width, height, type); });
 }
 
 // A primitive that will be repeated is collected in a list of the driver's and drawn from there.
@@ -138,8 +146,8 @@ void end(Context& ctx) {
     const GLuint collected = std::exchange(ctx.collected_primitive, 0);
     if (recording.is_in_draw_step && recording.begin_end == BeginEnd::kUnchanged) {
         recording.is_in_draw_step = false;
-        close_draw_step(ctx);
-        if (collected != 0) play_step(ctx, collected);
+        close_draw_step(ctx, DrawKind::kPrimitives);
+        if (collected != 0) play_step(ctx, collected, unknown());
         open_step(ctx);
     } else if (collected != 0) {
         ctx.real->glEndList();

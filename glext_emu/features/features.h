@@ -80,7 +80,7 @@ void occlusion_unit_shapes_emu(Context& ctx, GLbitfield registers, GLenum shape,
 void get_occlusion_records_emu(Context& ctx, GLuint id, GLsizei first, GLsizei count,
                                GLocclusionrecordEMU* records);
 // A draw while a unit's query is active.
-void draw_under_unit(Context& ctx, DrawCall call);
+void draw_under_unit(Context& ctx, DrawKind kind, DrawCall call);
 
 // query_objects.cpp
 void gen_queries(Context& ctx, GLsizei n, GLuint* ids);

@@ -8,18 +8,22 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "context/display_lists.h"
+
 namespace glext_emu::features {
 
 struct Triangles {
     std::uint64_t count = 0;
     bool is_known = true;
+    DrawKind kind = DrawKind::kPrimitives;
 };
 
 constexpr Triangles unknown() {
     return {0, false};
 }
-constexpr Triangles no_triangles() {
-    return {};
+// Of a rectangle of pixels.
+constexpr Triangles no_triangles(DrawKind kind = DrawKind::kPixels) {
+    return {0, true, kind};
 }
 constexpr Triangles rectangle() {
     return {2, true};
@@ -49,7 +53,7 @@ constexpr Triangles triangles(GLenum mode, GLsizei count, GLsizei instances = 1)
         case GL_PATCHES:
             return unknown();
         default:
-            return no_triangles();
+            return {};
     }
 }
 

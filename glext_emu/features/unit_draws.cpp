@@ -3,10 +3,14 @@
 // projected hits are those of the draw once more without depth test; the marks come from the program's own
 // draw on a private copy of depth and stencil, or from an instrumented fragment stage. What cannot be had
 // exactly is given up, never guessed.
-#include <vector>
+#include <algorithm>
+#include <memory>
 
 #include "context/fragment_tests.h"
+#include "context/private_copy.h"
+#include "context/proxy_stage.h"
 #include "context/repetition.h"
+#include "context/saved_state.h"
 #include "context/unit_run.h"
 #include "features/features.h"
 
@@ -26,21 +30,112 @@ GLuint samples_per_count(Context& ctx) {
     return samples > 1 ? static_cast<GLuint>(samples) : 1;
 }
 
+// What is copied and read back lies in one scissor rectangle.
+bool has_one_scissor(Context& ctx) {
+    if (ctx.kind.version < GlVersion{4, 1}) return true;
+    const RealGl& real = *ctx.real;
+    GLint viewports = 1;
+    real.glGetIntegerv(GL_MAX_VIEWPORTS, &viewports);
+    GLint first[4] = {};
+    real.glGetIntegerv(GL_SCISSOR_BOX, first);
+    const GLboolean is_on = real.glIsEnabled(GL_SCISSOR_TEST);
+    for (GLint i = 1; i < viewports; ++i) {
+        const auto index = static_cast<GLuint>(i);
+        GLint box[4] = {};
+        if (real.glIsEnabledi(GL_SCISSOR_TEST, index) != is_on) return false;
+        real.glGetIntegeri_v(GL_SCISSOR_BOX, index, box);
+        if (is_on != GL_FALSE && !std::ranges::equal(box, first)) return false;
+    }
+    return true;
+}
+
+// How the marks of one draw are found.
+class Marking {
+  public:
+    Marking(Context& ctx, UnitRun& run, const FragmentTests& tests, DrawKind kind)
+        : ctx_(ctx), run_(run), tests_(tests), wanted_(run.wanted(kMarks)) {
+        if (wanted_ == 0) return;
+        if (kind == DrawKind::kPrimitives && ProxyMarks::serves(ctx, wanted_, run.far_end(), tests)) {
+            proxy_ = proxy_of_run();
+            is_along_ = ProxyMarks::writes_nothing(ctx, tests);
+        } else {
+            plan_copy(kind);
+        }
+    }
+
+    void before(DrawCall call) {
+        if (proxy_ != nullptr && !is_along_) {
+            const Repetition repetition(ctx_);
+            SavedState saved(ctx_);
+            saved.write_nothing();
+            proxy_->begin_draw(ctx_);
+            call();
+            proxy_->end_draw(ctx_);
+        }
+        if (copies_ && !ctx_.private_copy.take(ctx_, info_)) {
+            copies_ = false;
+            run_.give_up(kMarks);
+        }
+    }
+    // The draw itself.
+    void draw(DrawCall call) {
+        if (proxy_ == nullptr || !is_along_) return call();
+        proxy_->begin_draw(ctx_);
+        call();
+        proxy_->end_draw(ctx_);
+    }
+    void after(DrawCall call) {
+        if (!copies_) return;
+        const Repetition repetition(ctx_);
+        run_.mark(ctx_.private_copy.mark(ctx_, tests_, plan_, run_.far_end(), call));
+    }
+
+  private:
+    ProxyMarks* proxy_of_run() {
+        std::unique_ptr<DriverMarks>& marks = run_.driver_marks();
+        if (marks == nullptr) marks = std::make_unique<ProxyMarks>(run_.armed() & kMarks, run_.far_end());
+        return static_cast<ProxyMarks*>(marks.get());
+    }
+
+    // A copy is drawn to when the draw has been made: what the draw reads must not be what it has written.
+    void plan_copy(DrawKind kind) {
+        const bool can_copy = ctx_.kind.version >= GlVersion{4, 5} && ctx_.conditional.query == 0 &&
+                              kind != DrawKind::kDepthCopy && can_repeat(ctx_) && has_one_scissor(ctx_);
+        if (!can_copy) return run_.give_up(kMarks);
+        info_ = draw_framebuffer_info(ctx_);
+        if (!info_.is_complete || ctx_.real->glIsEnabled(GL_RASTERIZER_DISCARD) != GL_FALSE) return;
+        plan_ = plan_marking(info_, tests_, wanted_, run_.far_end());
+        if (!plan_.can_tell_depth) run_.give_up(GL_NEAREST_DEPTH_BIT_EMU);
+        copies_ = plan_.can_mark && !plan_.marks_nothing && run_.wants(kMarks);
+    }
+
+    Context& ctx_;
+    UnitRun& run_;
+    const FragmentTests& tests_;
+    GLbitfield wanted_;
+    ProxyMarks* proxy_ = nullptr;
+    bool is_along_ = false;  // the draw itself runs the proxy's stage
+    bool copies_ = false;
+    FramebufferInfo info_;
+    MarkingPlan plan_;
+};
+
 // The draw once more, counted without depth test and without a trace.
-void count_projected(Context& ctx, UnitRun& run, DrawCall call) {
+void count_projected(Context& ctx, UnitRun& run, const FragmentTests& tests, DrawCall call) {
     if (!can_repeat(ctx)) return run.give_up(kProjected);
     const Repetition repetition(ctx);
-    const WritesOff writes_off(ctx);
-    ctx.real->glDisable(GL_DEPTH_TEST);
+    SavedState saved(ctx);
+    saved.write_nothing();
+    if (tests.depth_test) saved.set(GL_DEPTH_TEST, false);
     run.count_for(ctx, kProjected, samples_per_count(ctx));
     call();
     run.close_segment(ctx);
-    ctx.real->glEnable(GL_DEPTH_TEST);
 }
 
 }  // namespace
 
-void draw_under_unit(Context& ctx, DrawCall call) {
+void draw_under_unit(Context& ctx, DrawKind kind, DrawCall call) {
+    aim_probe(ctx);
     UnitRun& run = *ctx.proposed.run;
     const GLbitfield counts = run.wants(kVisible) && !run.watches() ? GL_VISIBLE_HITS_BIT_EMU : 0;
     if (!run.wants(kProjected | kMarks)) {
@@ -49,13 +144,17 @@ void draw_under_unit(Context& ctx, DrawCall call) {
     }
 
     const FragmentTests tests = read_fragment_tests(ctx);
-    const bool passes_always = !tests.depth_can_fail();
-    if (run.wants(kProjected) && !passes_always && tests.stencil_feeds_back()) run.give_up(kProjected);
+    // Where every fragment passes, the draw itself has the projected hits; not while the query that is
+    // watched has the driver's slot.
+    const bool counts_along = !tests.depth_can_fail() && !run.watches();
+    if (run.wants(kProjected) && !counts_along && tests.stencil_feeds_back()) run.give_up(kProjected);
     const bool counts_projected = run.wants(kProjected);
-    run.count_for(ctx, counts | (counts_projected && passes_always ? kProjected : 0), samples_per_count(ctx));
-    call();
-    if (counts_projected && !passes_always) count_projected(ctx, run, call);
-    if (run.wants(kMarks)) run.give_up(kMarks);
+    Marking marking(ctx, run, tests, kind);
+    marking.before(call);
+    run.count_for(ctx, counts | (counts_projected && counts_along ? kProjected : 0), samples_per_count(ctx));
+    marking.draw(call);
+    if (counts_projected && !counts_along) count_projected(ctx, run, tests, call);
+    marking.after(call);
 }
 
 }  // namespace glext_emu::features
