@@ -200,6 +200,10 @@ void ShapeRun::draw(Context& ctx, const Shapes& shapes, const FramebufferInfo& f
     if (framebuffer.samples > 1 && !has_multisampling) {
         samples_per_fragment_ = static_cast<GLuint>(framebuffer.samples);
     }
+    if (ctx.real->glIsEnabled(GL_DEPTH_CLAMP) != GL_FALSE) {
+        ctx.real->glGetFloatv(GL_DEPTH_RANGE, depth_range_.data());
+        std::ranges::sort(depth_range_);
+    }
     hits_tell_projected_ = !tests.depth_can_fail() || framebuffer.depth_bits == 0;
 
     SavedState state(ctx);
@@ -331,7 +335,8 @@ void ShapeRun::read(Context& ctx, Sheet& sheet) {
         record.visible = header[0] != 0;
         record.projected_hits = std::uint64_t{header[1]} * samples_per_fragment_ + record.visible_hits;
         if (has_depth && header[2] != 0) {
-            depths.push_back(std::bit_cast<float>(far_end_ == FarEnd::kOne ? ~header[2] : header[2]));
+            const auto depth = std::bit_cast<float>(far_end_ == FarEnd::kOne ? ~header[2] : header[2]);
+            depths.push_back(std::clamp(depth, depth_range_[0], depth_range_[1]));
         }
         if (sheet.bounds.empty()) continue;
         const PixelBounds& bounds = sheet.bounds[static_cast<std::size_t>(i)];

@@ -7,6 +7,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -65,14 +66,12 @@ class ShapeRun final : public PendingRecords {
     std::vector<occlusion_unit::Record> records_;
     std::vector<Sheet> sheets_;  // not read yet
     DepthPrecision precision_;
+    // Where depths are clamped, which is after the fragment stage has looked at them.
+    std::array<float, 2> depth_range_ = {0, 1};
     bool is_per_sample_ = false;
     bool hits_tell_projected_ = false;  // every fragment passes the depth test
     GLuint samples_per_fragment_ = 1;
     GLsync fence_ = nullptr;
 };
-
-// Binds the vertices of shapes of <kind> and the program's vertex stage alone, for a driver that cannot do
-// better: <draw_one> is called for each shape, and its argument draws it.
-GLuint plain_shape_program(Context& ctx);
 
 }  // namespace glext_emu
