@@ -11,6 +11,8 @@ namespace conformance {
 
 namespace {
 
+constexpr int kEnoughRecords = 50;  // for a share to say something
+
 // Owned by GoogleTest.
 auto* const the_machine = static_cast<Machine*>(::testing::AddGlobalTestEnvironment(new Machine));
 
@@ -37,10 +39,14 @@ void Machine::SetUp() {
 }
 
 void Machine::TearDown() {
-    if (determinacy.records > 0) {
-        std::printf("of %d records, not determined: projected hits %d, nearest depth %d\n",
-                    determinacy.records, determinacy.without_projected_hits,
-                    determinacy.without_nearest_depth);
+    const auto [records, hits, depths] = determinacy;
+    if (records > 0) {
+        std::printf("of %d records, not determined: projected hits %d, nearest depth %d\n", records, hits,
+                    depths);
+    }
+    if (records >= kEnoughRecords) {
+        EXPECT_LE(4 * hits, records) << "more than a quarter was never compared";
+        EXPECT_LE(4 * depths, records) << "more than a quarter was never compared";
     }
     if (context_ && *context_) {
         forget_stages();

@@ -35,7 +35,7 @@ class RegionScenes : public ::testing::TestWithParam<int> {
     }
     void TearDown() override {
         if (!scene_) return;
-        if (HasFailure()) std::printf("regions %d: %s\n", GetParam(), scene_->description().c_str());
+        if (HasFailure()) tell_recipe(*scene_);
         set_far_end(GL_ONE);
         neutral();
         scene_.reset();

@@ -2,7 +2,10 @@
 // How a scene is chosen and set up.
 #include "witness/scene.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
+#include <cstdio>
 
 #include "harness/draw.h"
 #include "witness/machine.h"
@@ -112,6 +115,12 @@ std::string Scene::description() const {
     if (far_end_ == GL_ZERO) text += ", reversed";
     for (const Draw& draw : draws_) text += "\n  " + draw.description();
     return text;
+}
+
+void tell_recipe(const Scene& scene) {
+    const ::testing::TestInfo& test = *::testing::UnitTest::GetInstance()->current_test_info();
+    std::printf("--gtest_filter=%s.%s plays on %s\n", test.test_suite_name(), test.name(),
+                scene.description().c_str());
 }
 
 }  // namespace conformance

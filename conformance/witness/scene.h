@@ -51,4 +51,7 @@ class Scene {
     std::vector<Draw> draws_;
 };
 
+// Prints what the failed test played, and how to play it again.
+void tell_recipe(const Scene& scene);
+
 }  // namespace conformance

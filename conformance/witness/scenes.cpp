@@ -43,7 +43,7 @@ class Played : public ::testing::TestWithParam<int> {
     void TearDown() override {
         if (!scene_) return;
         EXPECT_TRUE(no_error()) << "the scene left an error behind";
-        if (HasFailure()) std::printf("scene %d: %s\n", GetParam(), scene_->description().c_str());
+        if (HasFailure()) tell_recipe(*scene_);
         neutral();
         scene_.reset();
     }
