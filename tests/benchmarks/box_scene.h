@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 namespace benchmarks {
 
@@ -81,6 +82,19 @@ class Box {
     std::array<GLuint, 2> buffers_{};
 };
 
+// The wall, the cleared rest; depth writes are off afterwards.
+inline void draw_scene() {
+    glDepthMask(GL_TRUE);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    glBegin(GL_QUADS);
+    glVertex3f(0, 0, kWallDepth);
+    glVertex3f(kWallRight, 0, kWallDepth);
+    glVertex3f(kWallRight, kHeight, kWallDepth);
+    glVertex3f(0, kHeight, kWallDepth);
+    glEnd();
+    glDepthMask(GL_FALSE);
+}
+
 // Two ways without the unit, for a program that has no use of its own for the stencil buffer. Either draws
 // the box so that visible samples leave a mark, reads the rectangle that the box may touch, and looks for
 // marks.
@@ -133,24 +147,18 @@ class ReadBack {
                           area.x + area.width, area.y + area.height,
                           GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT, GL_NEAREST);
         glBindFramebuffer(GL_READ_FRAMEBUFFER, copy_);
-        begin_marks();
-        glDepthMask(GL_TRUE);
-        box.draw();
-        glDepthMask(GL_FALSE);
-        glDisable(GL_STENCIL_TEST);
-        texels_.resize(static_cast<std::size_t>(area.width * area.height));
-        glReadPixels(area.x, area.y, area.width, area.height, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
-                     texels_.data());
+        const Registers found = marks_and_depths(box);
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        Registers found;
-        find(area, found, [this, &found](std::size_t at) {
-            if ((texels_[at] & 0xFF) != mark_) return false;
-            found.nearest_texel = std::min(found.nearest_texel, texels_[at] >> 8);
-            return true;
-        });
-        found.visible_hits = result(0);
-        found.projected_hits = result(1);
-        return found;
+        return with_counts(found);
+    }
+
+    // What is true: the same, but in the window itself, whose scene is drawn anew.
+    Registers truth(const Box& box) {
+        next_mark();
+        count_both(box);
+        const Registers found = marks_and_depths(box);
+        draw_scene();
+        return with_counts(found);
     }
 
   private:
@@ -163,6 +171,35 @@ class ReadBack {
         glEnable(GL_STENCIL_TEST);
         glStencilFunc(GL_ALWAYS, static_cast<GLint>(mark_), 0xFF);
         glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    }
+    Registers marks_and_depths(const Box& box) {
+        const Rectangle area = box.bounds();
+        begin_marks();
+        glDepthMask(GL_TRUE);
+        box.draw();
+        glDepthMask(GL_FALSE);
+        glDisable(GL_STENCIL_TEST);
+        texels_.resize(static_cast<std::size_t>(area.width * area.height));
+        glReadPixels(area.x, area.y, area.width, area.height, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8,
+                     texels_.data());
+        Registers found;
+        find(area, found, [this, &found](std::size_t at) {
+            if ((texels_[at] & 0xFF) != mark_) return false;
+            found.nearest_texel = std::min(found.nearest_texel, texels_[at] >> 8);
+            return true;
+        });
+        return found;
+    }
+    void count_both(const Box& box) {
+        count(0, box);
+        glDisable(GL_DEPTH_TEST);
+        count(1, box);
+        glEnable(GL_DEPTH_TEST);
+    }
+    Registers with_counts(Registers found) {
+        found.visible_hits = result(0);
+        found.projected_hits = result(1);
+        return found;
     }
     void count(std::size_t query, const Box& box) {
         glBeginQuery(GL_SAMPLES_PASSED, queries_[query]);

@@ -57,36 +57,61 @@ GLuint fixed(float depth) {
     return static_cast<GLuint>(std::lround(static_cast<double>(depth) * ((1u << kDepthBits) - 1)));
 }
 
+// What is asked and answered, apart from the timing.
+struct Answers {
+    std::array<GLint, 4 * kRegions> rectangles;
+    std::array<GLfloat, kRegions> depths{};
+    std::array<GLuint, kRegions> texels{};
+    std::array<GLuint, kRegions> names{};
+};
+Answers answers;
+
 // A region that its draw does not cover still shows the cleared depth.
-void check(int i, int draw_side, GLuint depth, const char* way) {
+void check_texel(int i, int draw_side, GLuint depth) {
     const GLuint expected = fixed(draw_side >= kSide ? depth_of(i) : 1.0f);
     // The driver interpolates in floats: one step of the buffer more or less.
     if (std::max(depth, expected) - std::min(depth, expected) <= 1) return;
-    benchmarks::fail("region_cost: %s: furthest depth %u of region %d after squares of %d, expected %u", way,
-                     depth, i, draw_side, expected);
+    benchmarks::fail("region_cost: furthest depth %u of region %d after squares of %d, expected %u", depth, i,
+                     draw_side, expected);
+}
+
+std::function<void()> checks_texels(int draw_side) {
+    return [draw_side] {
+        for (int i = 0; i < kRegions; ++i)
+            check_texel(i, draw_side, answers.texels[static_cast<std::size_t>(i)]);
+        answers.texels.fill(0);
+    };
+}
+
+std::function<void()> checks_depths(int draw_side) {
+    return [draw_side] {
+        for (int i = 0; i < kRegions; ++i) {
+            check_texel(i, draw_side, fixed(answers.depths[static_cast<std::size_t>(i)]));
+        }
+        answers.depths.fill(-1);
+    };
+}
+
+const GLint* rectangle(int i) {
+    return answers.rectangles.data() + 4 * i;
 }
 
 void read_raw(int i, GLuint* texels) {
-    glReadPixels(center_x(i) - kSide / 2, center_y(i) - kSide / 2, kSide, kSide, GL_DEPTH_STENCIL,
-                 GL_UNSIGNED_INT_24_8, texels);
+    const GLint* at = rectangle(i);
+    glReadPixels(at[0], at[1], at[2], at[3], GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, texels);
 }
 
-GLuint furthest_by_reading(int i) {
+void read_furthest(int i) {
     std::array<GLuint, kSide * kSide> texels;
     read_raw(i, texels.data());
     GLuint furthest = 0;
     for (const GLuint texel : texels) furthest = std::max(furthest, texel >> 8);
-    return furthest;
+    answers.texels[static_cast<std::size_t>(i)] = furthest;
 }
 
-std::array<GLint, 4> rectangle(int i) {
-    return {center_x(i) - kSide / 2, center_y(i) - kSide / 2, kSide, kSide};
-}
-
-std::array<GLint, 4 * kRegions> all_rectangles() {
-    std::array<GLint, 4 * kRegions> all;
-    for (int i = 0; i < kRegions; ++i) std::ranges::copy(rectangle(i), all.data() + 4 * i);
-    return all;
+void ask_about(int i, GLenum what) {
+    const GLint* at = rectangle(i);
+    emu.get_region(what, at[0], at[1], at[2], at[3], &answers.depths[static_cast<std::size_t>(i)]);
 }
 
 void draw_all(int draw_side) {
@@ -99,73 +124,71 @@ std::vector<benchmarks::Row> rows_of_idle(int draw_side) {
         std::array<GLuint, kSide * kSide> texels;
         for (int i = 0; i < kRegions; ++i) read_raw(i, texels.data());
     };
+    const auto check_states = [draw_side] {
+        const GLfloat expected = draw_side >= kSide ? 1 : 0;
+        for (const GLfloat state : answers.depths) {
+            if (state != expected) benchmarks::fail("region_cost: occluded %g, expected %g", state, expected);
+        }
+    };
     return {
         {"raw read", kRegions, raw},
         {"raw read again", kRegions, raw},
         {"read and compare", kRegions,
-         [=] {
-             for (int i = 0; i < kRegions; ++i) check(i, draw_side, furthest_by_reading(i), "read");
-         }},
+         [] {
+             for (int i = 0; i < kRegions; ++i) read_furthest(i);
+         },
+         checks_texels(draw_side)},
         {"furthest depth", kRegions,
-         [=] {
-             for (int i = 0; i < kRegions; ++i) {
-                 GLfloat depth = -1;
-                 emu.get_region(GL_FURTHEST_DEPTH_EMU, center_x(i) - kSide / 2, center_y(i) - kSide / 2,
-                                kSide, kSide, &depth);
-                 check(i, draw_side, fixed(depth), "one region");
-             }
-         }},
+         [] {
+             for (int i = 0; i < kRegions; ++i) ask_about(i, GL_FURTHEST_DEPTH_EMU);
+         },
+         checks_depths(draw_side)},
         {"occluded", kRegions,
-         [=] {
-             for (int i = 0; i < kRegions; ++i) {
-                 GLfloat occluded = -1;
-                 emu.get_region(GL_REGION_OCCLUDED_EMU, center_x(i) - kSide / 2, center_y(i) - kSide / 2,
-                                kSide, kSide, &occluded);
-                 if ((occluded == 1) != (draw_side >= kSide))
-                     benchmarks::fail("region_cost: occluded %g", occluded);
-             }
-         }},
+         [] {
+             for (int i = 0; i < kRegions; ++i) ask_about(i, GL_REGION_OCCLUDED_EMU);
+         },
+         check_states},
     };
 }
 
 // 64 draws and 64 answers, whichever way: microseconds for all of them.
-std::vector<benchmarks::Row> rows_of_pending(int draw_side, const std::array<GLuint, kRegions>& names) {
-    const auto in_rounds = [=] {
+std::vector<benchmarks::Row> rows_of_pending(int draw_side) {
+    const auto in_rounds = [draw_side] {
         for (int i = 0; i < kRegions; ++i) {
             draw(i, draw_side);
-            check(i, draw_side, furthest_by_reading(i), "draw and read");
+            read_furthest(i);
         }
     };
     return {
-        {"64 x draw and read", 1, in_rounds},
-        {"64 x draw and read again", 1, in_rounds},
+        {"64 x draw and read", 1, in_rounds, checks_texels(draw_side)},
+        {"64 x draw and read again", 1, in_rounds, checks_texels(draw_side)},
         {"64 draws, 64 reads", 1,
-         [=] {
+         [draw_side] {
              draw_all(draw_side);
-             for (int i = 0; i < kRegions; ++i) check(i, draw_side, furthest_by_reading(i), "reads");
-         }},
+             for (int i = 0; i < kRegions; ++i) read_furthest(i);
+         },
+         checks_texels(draw_side)},
         {"64 draws, one call", 1,
-         [=] {
+         [draw_side] {
              draw_all(draw_side);
-             const auto rectangles = all_rectangles();
-             std::array<GLfloat, kRegions> depths{};
-             emu.get_regions(GL_FURTHEST_DEPTH_EMU, kRegions, rectangles.data(), depths.data());
-             for (int i = 0; i < kRegions; ++i)
-                 check(i, draw_side, fixed(depths[static_cast<std::size_t>(i)]), "one call");
-         }},
+             emu.get_regions(GL_FURTHEST_DEPTH_EMU, kRegions, answers.rectangles.data(),
+                             answers.depths.data());
+         },
+         checks_depths(draw_side)},
         {"64 draws, 64 query objects", 1,
-         [=] {
+         [draw_side] {
              draw_all(draw_side);
-             const auto rectangles = all_rectangles();
-             emu.query_regions(GL_FURTHEST_DEPTH_EMU, kRegions, rectangles.data(), names.data());
-             for (int i = 0; i < kRegions; ++i) {
+             emu.query_regions(GL_FURTHEST_DEPTH_EMU, kRegions, answers.rectangles.data(),
+                               answers.names.data());
+             for (std::size_t i = 0; i < kRegions; ++i) {
                  GLuint bits = 0;
-                 glGetQueryObjectuiv(names[static_cast<std::size_t>(i)], GL_QUERY_RESULT, &bits);
-                 check(i, draw_side, fixed(std::bit_cast<float>(bits)), "query objects");
+                 glGetQueryObjectuiv(answers.names[i], GL_QUERY_RESULT, &bits);
+                 answers.depths[i] = std::bit_cast<float>(bits);
              }
-         }},
+         },
+         checks_depths(draw_side)},
         {"64 draws and glFinish", 1,
-         [=] {
+         [draw_side] {
              draw_all(draw_side);
              glFinish();
          }},
@@ -194,18 +217,20 @@ int main(int argc, char** argv) {
            benchmarks::function_of_gl<PFNGLGETDEPTHREGIONSFVEMUPROC>("glGetDepthRegionsfvEMU"),
            benchmarks::function_of_gl<PFNGLQUERYDEPTHREGIONSEMUPROC>("glQueryDepthRegionsEMU")};
     set_up();
-    std::array<GLuint, kRegions> names{};
-    glGenQueries(kRegions, names.data());
+    glGenQueries(kRegions, answers.names.data());
+    for (int i = 0; i < kRegions; ++i) {
+        const std::array at = {center_x(i) - kSide / 2, center_y(i) - kSide / 2, kSide, kSide};
+        std::ranges::copy(at, answers.rectangles.data() + 4 * i);
+    }
 
     nlohmann::ordered_json answer = {{"context", benchmarks::description_of_gl()},
                                      {"cases", nlohmann::json::array()}};
     for (const int draw_side : {20, kSide}) {
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
         draw_all(draw_side);
-        answer["cases"].push_back(
-            {{"draw_side", draw_side},
-             {"idle", benchmarks::measure(rows_of_idle(draw_side), rounds)},
-             {"pending", benchmarks::measure(rows_of_pending(draw_side, names), rounds)}});
+        answer["cases"].push_back({{"draw_side", draw_side},
+                                   {"idle", benchmarks::measure(rows_of_idle(draw_side), rounds)},
+                                   {"pending", benchmarks::measure(rows_of_pending(draw_side), rounds)}});
     }
     std::printf("%s\n", answer.dump().c_str());
     return 0;

@@ -26,8 +26,9 @@ namespace benchmarks {
 
 struct Row {
     std::string name;
-    int asks;                   // how many of what is timed one call of <run> does
-    std::function<void()> run;  // ends when the answers are there
+    int asks;                             // how many of what is timed one call of <run> does
+    std::function<void()> run;            // ends when the answers are there
+    std::function<void()> check = [] {};  // of the answers; not timed
 };
 
 [[noreturn, gnu::format(printf, 1, 2)]] inline void fail(const char* format, ...) {
@@ -59,6 +60,7 @@ inline nlohmann::ordered_json measure(const std::vector<Row>& rows, int rounds) 
             rows[at].run();
             glFinish();
             times[at].push_back(microseconds_of(rows[at].run) / rows[at].asks);
+            rows[at].check();
         }
     }
     if (const GLenum error = glGetError(); error != GL_NO_ERROR) fail("GL error 0x%x while measuring", error);
