@@ -133,7 +133,7 @@ def draw_boxes():
 
 
 def told(record):
-    box = "empty" if record.box[2] < record.box[0] else "{}, {} to {}, {}".format(*record.box)
+    box = "empty" if record.box[2] < record.box[0] else "{},{} to {},{}".format(*record.box)
     return (f"projected hits  {record.projected_hits:,}\nvisible hits    {record.visible_hits:,}\n"
             f"nearest depth   {record.nearest_depth:.6f}\nscreen box      {box}")
 
