@@ -119,8 +119,8 @@ std::string Scene::description() const {
 
 void tell_recipe(const Scene& scene) {
     const ::testing::TestInfo& test = *::testing::UnitTest::GetInstance()->current_test_info();
-    std::printf("--gtest_filter=%s.%s plays on %s\n", test.test_suite_name(), test.name(),
-                scene.description().c_str());
+    std::printf("--gtest_also_run_disabled_tests --gtest_filter=%s.%s plays on %s\n", test.test_suite_name(),
+                test.name(), scene.description().c_str());
 }
 
 }  // namespace conformance
