@@ -280,23 +280,25 @@ void ShapeRun::draw_sheet(Context& ctx, const Shapes& shapes, const std::vector<
 
     real.glBindVertexArray(shape_arrays(ctx, shapes.kind, vertices));
     const auto indices = static_cast<GLsizei>(kind_of_shape(shapes.kind).triangles.size()) * sheet.count;
+    ResultBinding binding;
+    binding.bind(ctx, sheet.buffer.name);
     const auto run = [&](unsigned what) {
         const GLuint program = shape_program(ctx, what);
+        binding.attach(ctx, program);
         real.glUseProgram(program);
-        ResultBinding binding;
-        binding.bind(ctx, program, sheet.buffer.name);
         real.glDrawElements(GL_TRIANGLES, indices, GL_UNSIGNED_SHORT, nullptr);
-        binding.unbind(ctx);
     };
     if (visible != 0) {
         if (far_end_ == FarEnd::kZero && (visible & kNotesDepth) != 0) visible |= kFarIsZero;
         run(visible | common);
     }
-    if (!wants(GL_PROJECTED_HITS_BIT_EMU) || hits_tell_projected_) return;
-    // Those that fail the depth test are those that pass the opposite one.
-    real.glDepthFunc(counts_hits ? opposite(tests.depth_func) : GL_ALWAYS);
-    run(kNotesHidden | common);
-    real.glDepthFunc(tests.depth_func);
+    if (wants(GL_PROJECTED_HITS_BIT_EMU) && !hits_tell_projected_) {
+        // Those that fail the depth test are those that pass the opposite one.
+        real.glDepthFunc(counts_hits ? opposite(tests.depth_func) : GL_ALWAYS);
+        run(kNotesHidden | common);
+        real.glDepthFunc(tests.depth_func);
+    }
+    binding.unbind(ctx);
 }
 
 bool ShapeRun::is_ready(Context& ctx) {

@@ -103,7 +103,7 @@ GLuint build_program(Context& ctx, const std::string& vertex, const std::string&
 }
 
 // ARB_multi_bind: the indexed binding alone, while BindBufferBase changes the general one too.
-void ResultBinding::bind(Context& ctx, GLuint program, GLuint buffer) {
+void ResultBinding::bind(Context& ctx, GLuint buffer) {
     const RealGl& real = *ctx.real;
     const auto top = static_cast<GLuint>(unit_stages(ctx).binding_count - 1);
     index_ = top;
@@ -119,8 +119,11 @@ void ResultBinding::bind(Context& ctx, GLuint program, GLuint buffer) {
         real.glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, index_, &start_);
         real.glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, index_, &size_);
     }
-    real.glShaderStorageBlockBinding(program, 0, index_);
     real.glBindBuffersBase(GL_SHADER_STORAGE_BUFFER, index_, 1, &buffer);
+}
+
+void ResultBinding::attach(Context& ctx, GLuint program) const {
+    ctx.real->glShaderStorageBlockBinding(program, 0, index_);
 }
 
 void ResultBinding::unbind(Context& ctx) {

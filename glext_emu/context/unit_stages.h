@@ -60,7 +60,9 @@ GLuint build_program(Context& ctx, const std::string& vertex, const std::string&
 // it need not be put back.
 class ResultBinding {
   public:
-    void bind(Context& ctx, GLuint program, GLuint buffer);
+    void bind(Context& ctx, GLuint buffer);
+    // <program> writes there.
+    void attach(Context& ctx, GLuint program) const;
     void unbind(Context& ctx);
 
   private:
