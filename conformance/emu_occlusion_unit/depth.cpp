@@ -141,7 +141,7 @@ TEST_F(UnitDepth, the_far_end_is_that_of_the_begin) {
 // ReadPixels returns. A plane whose every pixel has another depth; its smallest is the first column's.
 TEST_F(UnitDepth, the_nearest_depth_is_bit_by_bit_what_the_buffer_holds) {
     glEnable(GL_DEPTH_TEST);
-    for (const float slope : {0.013f, -0.0071f}) {
+    for (const float slope : {0.009f, -0.0071f}) {
         clear();
         const Record record = ask(kAllRegisters, [&] {
             glBegin(GL_QUADS);

@@ -9,6 +9,7 @@ class UnitFragmentTests : public UnitTest {
   protected:
     // Stencil 1 in the upper half of the window; the depths are those of draw_left_occluder.
     static void draw_upper_stencil() {
+        glDisable(GL_STENCIL_TEST);
         draw_left_occluder();
         glEnable(GL_STENCIL_TEST);
         glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);

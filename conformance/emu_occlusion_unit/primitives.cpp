@@ -96,8 +96,8 @@ TEST_F(UnitPrimitives, an_outlined_polygon_shows_its_outline) {
 TEST_F(UnitPrimitives, rect_is_a_polygon) {
     glTranslatef(0.0f, 0.0f, kFar);
     expect_seen(kHalfHidden, [] { glRecti(8, 8, 56, 24); });
-    draw_left_occluder();
     glLoadIdentity();
+    draw_left_occluder();
     glTranslatef(0.0f, 0.0f, kFar);
     expect_seen(kHalfHidden, [] {
         const std::array<GLfloat, 2> one = {56.0f, 24.0f};

@@ -213,17 +213,19 @@ TEST_F(UnitShapes, records_are_those_of_queries_that_draw_the_same_boxes) {
     const auto between = [&](int low, int high) {
         return static_cast<GLfloat>(low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1)));
     };
-    const std::array<GLfloat, 16> shear = {1, 0.25f, 0.0078125f, 0, -0.5f, 1, -0.00390625f, 0, 8, -4,
-                                           1, 0,     0,          0, 0,     1};
+    const std::array<GLfloat, 16> shear = {1, 0.25f, 0.00390625f, 0, -0.5f, 1, -0.001953125f, 0, 8, -4,
+                                           1, 0,     0,           0, 0,     1};
     glLoadMatrixf(shear.data());
     constexpr std::size_t kBoxes = 24;
     std::vector<GLfloat> boxes;
     for (std::size_t i = 0; i < kBoxes; ++i) {
-        const std::array<GLfloat, 3> low = {between(0, 200) / 4, between(0, 200) / 4, between(16, 96) / 128};
+        // Inside the view volume: clipping makes corners that are no such sums.
+        const std::array<GLfloat, 3> low = {between(28 * 4, 40 * 4) / 4, between(4 * 4, 32 * 4) / 4,
+                                            between(32, 80) / 128};
         boxes.insert(boxes.end(), low.begin(), low.end());
-        boxes.push_back(low[0] + between(1, 80) / 4);
-        boxes.push_back(low[1] + between(1, 80) / 4);
-        boxes.push_back(low[2] + between(1, 24) / 128);
+        boxes.push_back(low[0] + between(4, 40) / 4);
+        boxes.push_back(low[1] + between(4, 40) / 4);
+        boxes.push_back(low[2] + between(1, 12) / 128);
     }
     const auto records = ask_shapes(kAllRegisters, GL_BOX_EMU, boxes, kBoxes);
     std::size_t visible = 0;
