@@ -173,8 +173,7 @@ std::vector<std::uint32_t> DepthQuantiser::draw(Context& ctx, const DepthPrecisi
     state.bind_vertex_array(array_);
     state.use_program(program_);
     ResultBinding binding;
-    binding.bind(ctx, source.name);
-    binding.attach(ctx, program_);
+    binding.bind(ctx, program_, source.name);
     real.glDrawArrays(GL_TRIANGLES, 0, 3);
     binding.unbind(ctx);
     std::vector<std::uint32_t> held(depths.size());

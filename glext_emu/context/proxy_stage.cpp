@@ -160,8 +160,7 @@ void ProxyMarks::begin_draw(Context& ctx) {
     const OwnCalls own(ctx);
     const Sheet& sheet = sheet_for(ctx);
     const GLuint program = proxy_program(ctx, marks_of(registers_, far_end_));
-    binding_.bind(ctx, sheet.buffer.name);
-    binding_.attach(ctx, program);
+    binding_.bind(ctx, program, sheet.buffer.name);
     ctx.real->glUseProgram(program);
 }
 

@@ -61,6 +61,10 @@ GLuint build_program(Context& ctx, const std::string& vertex, const std::string&
 class ResultBinding {
   public:
     void bind(Context& ctx, GLuint buffer);
+    void bind(Context& ctx, GLuint program, GLuint buffer) {
+        bind(ctx, buffer);
+        attach(ctx, program);
+    }
     // <program> writes there.
     void attach(Context& ctx, GLuint program) const;
     void unbind(Context& ctx);
