@@ -34,6 +34,9 @@ class Report:
     def frames(self):
         return [r for r in self.records if r["kind"] == "frame"]
 
+    def probes(self):
+        return [r for r in self.records if r["kind"] == "probe"]
+
     def total(self, field):
         return sum(frame[field] for frame in self.frames())
 
@@ -58,14 +61,14 @@ class Run:
 class Program:
     """A started program. Use as a context manager: it never outlives the block."""
 
-    def __init__(self, argv, layer=True, device=None, clock=None, environment=None, preload=()):
+    def __init__(self, argv, layer=True, device=None, clock=None, environment=None, preload=(), probe=None):
         """`preload` names further libraries for LD_PRELOAD; they stand above the layer."""
         self.folder = tempfile.TemporaryDirectory(prefix="glext_emu_program_")
         self.report_path = pathlib.Path(self.folder.name, "report.json")
         child = dict(os.environ, **(environment or {}))
         child.pop("LD_PRELOAD", None)
         child.setdefault("XDG_RUNTIME_DIR", self.folder.name)
-        settings = {"device": device, "clock": clock, "report": self.report_path}
+        settings = {"device": device, "clock": clock, "report": self.report_path, "probe": probe}
         given = [f"{key}={value}" for key, value in settings.items() if value is not None]
         child["GLEXT_EMU"] = ",".join(given)
         libraries = [*preload, *([os.environ["GLEXT_EMU_LAYER"]] if layer else [])]
@@ -106,9 +109,9 @@ class Program:
         return Run(self.output.read(), self.errors.read(), self.process.returncode, seconds, self.report_now())
 
 
-def run(argv, layer=True, device=None, clock=None, environment=None, preload=(), timeout_s=60):
+def run(argv, layer=True, device=None, clock=None, environment=None, preload=(), timeout_s=60, probe=None):
     """Run a program that ends by itself."""
-    with Program(argv, layer, device, clock, environment, preload) as program:
+    with Program(argv, layer, device, clock, environment, preload, probe) as program:
         return program.finish(timeout_s)
 
 
