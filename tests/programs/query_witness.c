@@ -41,8 +41,8 @@ static __GLXextFuncPtr next_or_null(const char* name) {
     return get((const GLubyte*)name);
 }
 
-static void* next(const char* name) {
-    void* const found = (void*)next_or_null(name);
+static __GLXextFuncPtr next(const char* name) {
+    const __GLXextFuncPtr found = next_or_null(name);
     if (found == NULL) fail(name);
     return found;
 }
