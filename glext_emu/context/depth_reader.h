@@ -42,12 +42,14 @@ struct DepthReader {
     std::vector<std::byte> scratch;
     std::vector<Rect> rects;  // of the features' use, like the next
     std::vector<DepthBound> bounds;
-    GLuint sample_program = 0;  // of read_samples; 0: not made yet, or there is none
+    GLuint sample_program = 0;    // of read_samples; 0: not made yet, or there is none
+    bool fetch_is_known = false;  // how a shader's fetch converts 24 bits; see sample_reader.cpp
+    bool fetch_multiplies = false;
 };
 
 // The depth at <end> of all samples of each rectangle of the draw framebuffer, which is complete and has a
-// depth buffer; <info> describes it. The rectangles are clipped; the bounds of empty ones stay. False where the driver cannot
-// tell.
+// depth buffer; <info> describes it. The rectangles are clipped; the bounds of empty ones stay. False where
+// the driver cannot tell.
 bool read_depth_bounds(Context& ctx, const FramebufferInfo& info, DepthEnd end, std::span<const Rect> rects,
                        std::span<DepthBound> bounds);
 
