@@ -201,8 +201,8 @@ bool PrivateCopy::copy_layers(Context& ctx, GLbitfield buffers) {
     return real.glGetError() == GL_NO_ERROR;
 }
 
-Record PrivateCopy::mark(Context& ctx, const FragmentTests& tests, const MarkingPlan& plan, FarEnd far_end,
-                         const std::function<void()>& draw) {
+std::optional<Record> PrivateCopy::mark(Context& ctx, const FragmentTests& tests, const MarkingPlan& plan,
+                                        FarEnd far_end, const std::function<void()>& draw) {
     SavedState saved(ctx);
     prepare(ctx, saved, tests, plan, far_end);
     draw();
@@ -234,7 +234,8 @@ Rect PrivateCopy::reachable(Context& ctx) const {
     return clipped({box[0], box[1], box[2], box[3]}, shape.width, shape.height);
 }
 
-Record PrivateCopy::read(Context& ctx, SavedState& saved, const MarkingPlan& plan, FarEnd far_end) {
+std::optional<Record> PrivateCopy::read(Context& ctx, SavedState& saved, const MarkingPlan& plan,
+                                        FarEnd far_end) {
     const RealGl& real = *ctx.real;
     Record record = occlusion_unit::empty_record(occlusion_unit::kAllRegisters, far_end);
     const Rect rect = reachable(ctx);
@@ -257,7 +258,7 @@ Record PrivateCopy::read(Context& ctx, SavedState& saved, const MarkingPlan& pla
         Rect read = rect;
         Record part = record;
         if (shape.samples != 0) {
-            if (!read_samples(ctx, source, rect, found, flags)) return record;
+            if (!read_samples(ctx, source, rect, found, flags)) return std::nullopt;
             part.box = box_of({rect, samples, flags});
         } else {
             flags.resize(static_cast<std::size_t>(rect.area()));

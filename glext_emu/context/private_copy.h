@@ -8,6 +8,7 @@
 #include <GL/glext.h>
 
 #include <functional>
+#include <optional>
 
 #include "context/depth_reader.h"
 #include "context/fragment_tests.h"
@@ -45,16 +46,18 @@ struct PrivateCopy {
     bool take(Context& ctx, const FramebufferInfo& info);
     // After it, inside a Repetition: <draw> is made on the copy. Nearest depth and screen box of what was
     // marked.
-    occlusion_unit::Record mark(Context& ctx, const FragmentTests& tests, const MarkingPlan& plan,
-                                occlusion_unit::FarEnd far_end, const std::function<void()>& draw);
+    // Nothing where the driver cannot tell.
+    std::optional<occlusion_unit::Record> mark(Context& ctx, const FragmentTests& tests,
+                                               const MarkingPlan& plan, occlusion_unit::FarEnd far_end,
+                                               const std::function<void()>& draw);
 
   private:
     bool make(Context& ctx, const FramebufferInfo& info);
     void destroy(Context& ctx);
     void prepare(Context& ctx, SavedState& saved, const FragmentTests& tests, const MarkingPlan& plan,
                  occlusion_unit::FarEnd far_end);
-    occlusion_unit::Record read(Context& ctx, SavedState& saved, const MarkingPlan& plan,
-                                occlusion_unit::FarEnd far_end);
+    std::optional<occlusion_unit::Record> read(Context& ctx, SavedState& saved, const MarkingPlan& plan,
+                                               occlusion_unit::FarEnd far_end);
     bool copy_layers(Context& ctx, GLbitfield buffers);
     Rect reachable(Context& ctx) const;
 };

@@ -22,7 +22,7 @@ bool refuses_unit_query(Context& ctx, GLbitfield registers, GLuint id) {
         ctx.raise(GL_INVALID_VALUE);
         return true;
     }
-    if (ctx.slot.app_query != 0 || ctx.proposed.active_unit != 0 || ctx.slot.test_enabled) {
+    if (is_counter_taken(ctx) || ctx.slot.test_enabled) {
         ctx.raise(GL_INVALID_OPERATION);
         return true;
     }

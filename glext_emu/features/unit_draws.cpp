@@ -87,7 +87,9 @@ class Marking {
     void after(DrawCall call) {
         if (!copies_) return;
         const Repetition repetition(ctx_);
-        run_.mark(ctx_.private_copy.mark(ctx_, tests_, plan_, run_.far_end(), call));
+        const auto marks = ctx_.private_copy.mark(ctx_, tests_, plan_, run_.far_end(), call);
+        if (!marks) return run_.give_up(kMarks);
+        run_.mark(*marks);
     }
 
   private:
