@@ -52,11 +52,14 @@ void transform_shape(GLenum shape, const float* given, const float* matrix, Shap
     }
 }
 
+bool hide_if_not_finite(std::span<ShapeVertex> vertices) {
+    if (std::ranges::all_of(vertices, is_finite)) return false;
+    for (ShapeVertex& vertex : vertices) vertex.clip = {2, 2, 2, 1};
+    return true;
+}
+
 PixelBounds bound_shape(const WindowMap& window, std::span<ShapeVertex> vertices) {
-    if (!std::ranges::all_of(vertices, is_finite)) {
-        for (ShapeVertex& vertex : vertices) vertex.clip = {2, 2, 2, 1};
-        return {};
-    }
+    if (hide_if_not_finite(vertices)) return {};
     constexpr float kMargin = 2;
     constexpr float kTiny = 1e-6F;  // of the coordinates: a point so near the eye may be anywhere
     const auto& [x, y, width, height] = window.viewport;

@@ -47,6 +47,9 @@ ShapeKind kind_of_shape(GLenum shape);
 // those of fixed function: one product and one sum after the other.
 void transform_shape(GLenum shape, const float* given, const float* matrix, ShapeVertex* vertices);
 
+// Moves a shape that is not finite out of sight; true where it had to.
+bool hide_if_not_finite(std::span<ShapeVertex> vertices);
+
 // Where the shape may have fragments, a pixel more on each side than rounding can add. A shape that is not
 // finite is moved out of sight, and has none.
 PixelBounds bound_shape(const WindowMap& window, std::span<ShapeVertex> vertices);

@@ -143,7 +143,8 @@ WindowMap read_window(Context& ctx, const FramebufferInfo& framebuffer) {
     return window;
 }
 
-// The layer's own vertex array object, with <vertices> and the indices of as many shapes as a draw may have.
+}  // namespace
+
 GLuint shape_arrays(Context& ctx, GLenum kind, const std::vector<ShapeVertex>& vertices) {
     const RealGl& real = *ctx.real;
     UnitStages& stages = unit_stages(ctx);
@@ -174,7 +175,11 @@ GLuint shape_arrays(Context& ctx, GLenum kind, const std::vector<ShapeVertex>& v
     return stages.shape_arrays;
 }
 
-}  // namespace
+GLuint plain_shape_program(Context& ctx) {
+    const auto [program, is_new] = unit_stages(ctx).shape_programs.try_emplace(0, 0);
+    if (is_new) program->second = build_program(ctx, kVertexStage, "#version 330\nvoid main() {}\n");
+    return program->second;
+}
 
 bool ShapeRun::serves(Context& ctx, const FramebufferInfo& framebuffer) {
     const UnitStages& stages = unit_stages(ctx);

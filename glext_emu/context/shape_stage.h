@@ -30,6 +30,12 @@ struct Shapes {
     occlusion_unit::FarEnd far_end = occlusion_unit::FarEnd::kOne;
 };
 
+// The layer's own vertex array object, with <vertices> of shapes of <kind> and the indices of as many as a
+// draw may have.
+GLuint shape_arrays(Context& ctx, GLenum kind, const std::vector<ShapeVertex>& vertices);
+// Draws shapes and notes nothing: for a driver that cannot do better than to draw one after the other.
+GLuint plain_shape_program(Context& ctx);
+
 class ShapeRun final : public PendingRecords {
   public:
     // True where this driver can do it in the present draw framebuffer.

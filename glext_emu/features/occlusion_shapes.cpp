@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "context/list_pause.h"
+#include "context/saved_state.h"
 #include "context/shape_stage.h"
 #include "features/features.h"
 
@@ -25,6 +26,33 @@ Matrix current_matrix(Context& ctx) {
         }
     }
     return product;
+}
+
+// Each shape in a query of the unit of its own, its record awaited: where no shader can note what it sees.
+void draw_one_by_one(Context& ctx, const Shapes& shapes, std::vector<occlusion_unit::Record>& records) {
+    const ShapeKind kind = kind_of_shape(shapes.kind);
+    const OwnCalls own(ctx);
+    SavedState state(ctx);
+    state.draw_unconditionally();
+    state.draw_plain_polygons();
+    state.write_nothing();
+    state.bind_vertex_array(0);
+    state.use_program(plain_shape_program(ctx));
+    std::vector<ShapeVertex> vertices(static_cast<std::size_t>(kind.vertices));
+    for (GLsizei i = 0; i < shapes.count; ++i) {
+        transform_shape(shapes.kind, shapes.vertices + std::ptrdiff_t{i} * kind.floats, shapes.matrix,
+                        vertices.data());
+        hide_if_not_finite(vertices);
+        ctx.real->glBindVertexArray(shape_arrays(ctx, shapes.kind, vertices));
+        ctx.proposed.run = std::make_unique<UnitRun>(shapes.registers, shapes.far_end, VisibleHitsBy::kUnit);
+        draw_under_unit(ctx, DrawKind::kPrimitives, [&] {
+            ctx.real->glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(kind.triangles.size()),
+                                     GL_UNSIGNED_SHORT, nullptr);
+        });
+        const std::unique_ptr<UnitRun> run = std::move(ctx.proposed.run);
+        run->close_segment(ctx);
+        run->drain(ctx, records);
+    }
 }
 
 bool draws_fragments(Context& ctx) {
@@ -61,6 +89,7 @@ void occlusion_unit_shapes_emu(Context& ctx, GLbitfield registers, GLenum shape,
         matrix = current.data();
     }
     const Shapes shapes{registers, shape, count, vertices, matrix, ctx.proposed.unit_far_end()};
+    if (!ShapeRun::serves(ctx, framebuffer)) return draw_one_by_one(ctx, shapes, query.records);
     auto run = std::make_unique<ShapeRun>(shapes);
     if (draws_fragments(ctx)) run->draw(ctx, shapes, framebuffer);
     query.pending = std::move(run);
