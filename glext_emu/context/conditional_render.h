@@ -10,6 +10,7 @@ struct ConditionalRender {
     GLuint query = 0;  // 0: none in progress, as far as the layer follows it
     // False where everything is drawn because a result is not due yet: then the driver knows of none.
     bool is_in_driver = false;
+    GLenum mode = 0;  // the driver's, while it is there
 };
 
 }  // namespace glext_emu
