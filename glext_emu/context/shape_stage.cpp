@@ -181,9 +181,11 @@ GLuint plain_shape_program(Context& ctx) {
     return program->second;
 }
 
-bool ShapeRun::serves(Context& ctx, const FramebufferInfo& framebuffer) {
+bool ShapeRun::serves(Context& ctx, GLbitfield registers, const FramebufferInfo& framebuffer) {
     const UnitStages& stages = unit_stages(ctx);
-    return stages.can_mark && (framebuffer.samples <= 1 || stages.has_sample_stage);
+    if (framebuffer.samples <= 1) return stages.can_mark;
+    const bool needs_depth = framebuffer.depth_bits != 0 && (registers & GL_NEAREST_DEPTH_BIT_EMU) != 0;
+    return stages.can_mark && stages.has_sample_stage && !needs_depth;
 }
 
 ShapeRun::ShapeRun(const Shapes& shapes)

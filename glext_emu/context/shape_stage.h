@@ -38,8 +38,9 @@ GLuint plain_shape_program(Context& ctx);
 
 class ShapeRun final : public PendingRecords {
   public:
-    // True where this driver can do it in the present draw framebuffer.
-    static bool serves(Context& ctx, const FramebufferInfo& framebuffer);
+    // True where this driver can tell <registers> in the present draw framebuffer. Not the depth of samples:
+    // one that a fragment stage sees is not to the last bit the one that is tested.
+    static bool serves(Context& ctx, GLbitfield registers, const FramebufferInfo& framebuffer);
 
     explicit ShapeRun(const Shapes& shapes);
     // Draws; the records are there later.

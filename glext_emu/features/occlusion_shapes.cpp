@@ -89,9 +89,12 @@ void occlusion_unit_shapes_emu(Context& ctx, GLbitfield registers, GLenum shape,
         matrix = current.data();
     }
     const Shapes shapes{registers, shape, count, vertices, matrix, ctx.proposed.unit_far_end()};
-    if (!ShapeRun::serves(ctx, framebuffer)) return draw_one_by_one(ctx, shapes, query.records);
+    const bool draws = draws_fragments(ctx);
+    if (draws && !ShapeRun::serves(ctx, registers, framebuffer)) {
+        return draw_one_by_one(ctx, shapes, query.records);
+    }
     auto run = std::make_unique<ShapeRun>(shapes);
-    if (draws_fragments(ctx)) run->draw(ctx, shapes, framebuffer);
+    if (draws) run->draw(ctx, shapes, framebuffer);
     query.pending = std::move(run);
 }
 
