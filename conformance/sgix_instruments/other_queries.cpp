@@ -5,6 +5,8 @@
 #include "harness/query.h"
 #include "sgix_instruments/instruments_test.h"
 
+#include <GL/glext_emu.h>
+
 namespace conformance {
 namespace {
 
@@ -49,6 +51,29 @@ TEST_F(InstrumentsAndQueries, instruments_cannot_start_while_a_query_is_active) 
     EXPECT_TRUE(no_error());
     glStopInstrumentsSGIX(1);
     EXPECT_EQ(next_marker(), 1);
+}
+
+// SGI-13, decided, of the query of EMU_occlusion_unit.
+TEST_F(InstrumentsAndQueries, instruments_and_the_occlusion_unit_exclude_each_other) {
+    if (const auto why = lacks("GL_EMU_occlusion_unit")) GTEST_SKIP() << *why;
+    const auto begin_unit = reinterpret_cast<PFNGLBEGINOCCLUSIONUNITEMUPROC>(
+        platform().get_proc_address("glBeginOcclusionUnitEMU"));
+    const auto end_unit =
+        reinterpret_cast<PFNGLENDOCCLUSIONUNITEMUPROC>(platform().get_proc_address("glEndOcclusionUnitEMU"));
+    const Query unit;
+    glStartInstrumentsSGIX();
+    begin_unit(GL_VISIBLE_HITS_BIT_EMU, unit.name());
+    EXPECT_TRUE(error_is(GL_INVALID_OPERATION));
+    draw_rect({0, 0, 7, 1}, 0.5f);
+    glStopInstrumentsSGIX(1);
+    EXPECT_EQ(next_marker(), 1);
+    EXPECT_EQ(response(0).value, 7u);
+    begin_unit(GL_VISIBLE_HITS_BIT_EMU, unit.name());
+    glStartInstrumentsSGIX();
+    EXPECT_TRUE(error_is(GL_INVALID_OPERATION));
+    draw_rect({0, 0, 5, 1}, 0.5f);
+    end_unit();
+    EXPECT_EQ(unit.result(), 5u);
 }
 
 // SGI-13, decided.
