@@ -44,8 +44,8 @@ inline constexpr GLfloat kFifth = 0.2f;
 inline constexpr GLfloat kTwoFifths = 0.4f;
 inline constexpr GLfloat kThreeFifths = 0.6f;
 inline constexpr GLfloat kFourFifths = 0.8f;
-// Half a step of 16 bits and less: what a depth may differ by from the fifth that it is.
-inline constexpr GLfloat kLittle = 0.5f / 65535.0f;
+// A step of 16 bits, the coarsest format: GL leaves it to the driver whether a clear rounds or truncates.
+inline constexpr GLfloat kLittle = 1.0f / 65535.0f;
 
 GLuint64 pixels_read();
 

@@ -214,7 +214,8 @@ std::optional<std::vector<Sample>> fetch(Context& ctx, const SampleShape& shape,
 
 // A shader's texelFetch of 24 bits need not give the float that glReadPixels gives: llvmpipe multiplies with
 // a rounded reciprocal, which is off by up to 1.25 steps of the buffer. It is one formula or the other, and
-// both are strictly increasing, so the integer can be told.
+// the integer can be told from either, but for the last step before 1, which comes out as 1 itself: it is
+// taken for the far end, so that nothing is called occluded that is not.
 constexpr double kSteps24 = 16777215.0;
 
 float multiplied(double integer) {
@@ -223,7 +224,7 @@ float multiplied(double integer) {
 
 float as_read_pixels_has_it(float fetched) {
     const double middle = std::round(static_cast<double>(fetched) * kSteps24);
-    for (double integer = middle - 2; integer <= middle + 2; ++integer) {
+    for (double integer = middle + 2; integer >= middle - 2; --integer) {
         if (multiplied(integer) == fetched) return static_cast<float>(integer * (1.0 / kSteps24));
     }
     return fetched;
