@@ -120,7 +120,8 @@ TEST_P(UnitScenes, registers_are_what_the_witness_read_back) {
     const GLocclusionrecordEMU record = asked();
     const Buffers after = scene().target().read(true);
     scene().start();
-    scene().play_all();
+    const Query query;  // softpipe's depths of 16 bits are others while nothing counts
+    query.count([&] { scene().play_all(); });
     const Buffers without = scene().target().read(true);
     EXPECT_TRUE(same(after.depth, without.depth, scene().target()));
     EXPECT_TRUE(same(after.stencil, without.stencil, scene().target()));

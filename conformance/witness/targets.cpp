@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "witness/machine.h"
 #include "witness/stages.h"
@@ -42,6 +43,8 @@ std::vector<float> fetch(GLuint texture, GLenum mode, int width, int height, int
     glDeleteTextures(1, &floats);
     return values;
 }
+
+constexpr double kMost24 = 0xFFFFFF;
 
 bool is_packed(GLenum format) {
     return format == GL_DEPTH24_STENCIL8 || format == GL_DEPTH32F_STENCIL8;
@@ -163,7 +166,12 @@ void Target::read_samples(Buffers& buffers, bool with_colour) const {
     };
     const std::vector<float> depths =
         all_of(depth_, is_packed(kind_.depth_format) ? GL_DEPTH_COMPONENT : GL_NONE);
-    for (std::size_t i = 0; i < samples; ++i) buffers.depth.push_back(depths[4 * i]);
+    for (std::size_t i = 0; i < samples; ++i) {
+        const double depth = static_cast<double>(depths[4 * i]);
+        // A fetch may round the integer of 24 bits otherwise than ReadPixels, which divides exactly.
+        const double as_read = has_float_depth() ? depth : std::round(depth * kMost24) / kMost24;
+        buffers.depth.push_back(static_cast<float>(as_read));
+    }
     if (has_stencil()) {
         const std::vector<float> stencils = all_of(depth_, GL_STENCIL_INDEX);
         for (std::size_t i = 0; i < samples; ++i)

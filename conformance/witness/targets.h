@@ -52,6 +52,9 @@ class Target {
     int layers() const { return kind_.layers == 0 ? 1 : kind_.layers; }
     bool is_layered() const { return kind_.layers > 0; }
     bool has_stencil() const { return kind_.has_stencil; }
+    bool has_float_depth() const {
+        return kind_.depth_format == GL_DEPTH_COMPONENT32F || kind_.depth_format == GL_DEPTH32F_STENCIL8;
+    }
     std::size_t size() const;                        // samples in all
     std::size_t pixel_of(std::size_t sample) const;  // row * width + column, in whatever layer
 
