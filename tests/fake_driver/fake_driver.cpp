@@ -142,6 +142,7 @@ void* make_context() {
     const auto create = find<decltype(&eglCreateContext)>("eglCreateContext");
     const auto current = find<decltype(&eglMakeCurrent)>("eglMakeCurrent");
     if (create == nullptr || current == nullptr) return nullptr;
+    reset_state();
     void* const display = const_cast<char*>(&kDisplay);
     void* const surface = const_cast<char*>(&kSurface);
     void* const context = create(display, nullptr, nullptr, nullptr);

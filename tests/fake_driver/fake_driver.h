@@ -42,6 +42,8 @@ void clear_log();
 void* own_function(std::string_view name);
 // What a program gets for it through the layer, if there is one.
 void* function(const char* name);
+// The state of a new context; names go on.
+void reset_state();
 // A context, current in this thread, made through the same door. Null where that failed.
 void* make_context();
 

@@ -16,6 +16,15 @@ namespace {
 // Of each occlusion query that has ended.
 constexpr GLuint64 kSamples = 7;
 constexpr GLint kDrawBuffers = 2;
+// Those that the layer looks for before it looks at fragments by a stage of its own.
+constexpr const char* kExtensions[] = {
+    "GL_ARB_occlusion_query",
+    "GL_ARB_shader_storage_buffer_object",
+    "GL_ARB_shader_image_load_store",
+    "GL_ARB_clear_buffer_object",
+    "GL_ARB_multi_bind",
+    "GL_ARB_direct_state_access",
+};
 
 struct State {
     std::set<GLenum> enabled{GL_DITHER, GL_MULTISAMPLE};
@@ -23,7 +32,8 @@ struct State {
         {GL_MAJOR_VERSION, {4}},
         {GL_MINOR_VERSION, {5}},
         {GL_CONTEXT_PROFILE_MASK, {GL_CONTEXT_COMPATIBILITY_PROFILE_BIT}},
-        {GL_NUM_EXTENSIONS, {1}},
+        {GL_NUM_EXTENSIONS, {std::size(kExtensions)}},
+        {GL_RENDER_MODE, {GL_RENDER}},
         {GL_MAX_ATTRIB_STACK_DEPTH, {16}},
         {GL_MAX_LIST_NESTING, {64}},
         {GL_VIEWPORT, {0, 0, 64, 64}},
@@ -210,8 +220,9 @@ std::intptr_t get_string(const Arguments& a) {
                                                       : "4.50";
     return reinterpret_cast<std::intptr_t>(text);
 }
-std::intptr_t get_stringi(const Arguments&) {
-    return get_string({GL_EXTENSIONS});
+std::intptr_t get_stringi(const Arguments& a) {
+    const GLuint index = name(a[1]);
+    return index < std::size(kExtensions) ? reinterpret_cast<std::intptr_t>(kExtensions[index]) : 0;
 }
 
 // A shader that compiled, a program that linked, each without a log.
@@ -329,6 +340,12 @@ const std::unordered_map<std::string_view, Answer>& answers() {
 }
 
 }  // namespace
+
+void reset_state() {
+    const GLuint last_name = state.last_name;
+    state = State{};
+    state.last_name = last_name;
+}
 
 Answer answer_of(std::string_view command) {
     const auto found = answers().find(command);
