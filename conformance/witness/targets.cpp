@@ -46,6 +46,17 @@ std::vector<float> fetch(GLuint texture, GLenum mode, int width, int height, int
 
 constexpr double kMost24 = 0xFFFFFF;
 
+// What ReadPixels gives for the integer of 24 bits that texelFetch gave as <fetched>: llvmpipe fetches by a
+// product with a rounded reciprocal, off by up to a step, where ReadPixels divides. The last two steps come
+// out as one.
+float as_read(float fetched) {
+    const double about = std::round(static_cast<double>(fetched) * kMost24);
+    double integer = std::min(about + 2, kMost24);
+    while (integer > about - 2 && static_cast<float>(integer) * static_cast<float>(1.0 / kMost24) != fetched)
+        --integer;
+    return static_cast<float>(integer / kMost24);
+}
+
 bool is_packed(GLenum format) {
     return format == GL_DEPTH24_STENCIL8 || format == GL_DEPTH32F_STENCIL8;
 }
@@ -167,10 +178,8 @@ void Target::read_samples(Buffers& buffers, bool with_colour) const {
     const std::vector<float> depths =
         all_of(depth_, is_packed(kind_.depth_format) ? GL_DEPTH_COMPONENT : GL_NONE);
     for (std::size_t i = 0; i < samples; ++i) {
-        const double depth = static_cast<double>(depths[4 * i]);
-        // A fetch may round the integer of 24 bits otherwise than ReadPixels, which divides exactly.
-        const double as_read = has_float_depth() ? depth : std::round(depth * kMost24) / kMost24;
-        buffers.depth.push_back(static_cast<float>(as_read));
+        const float fetched = depths[4 * i];
+        buffers.depth.push_back(has_float_depth() ? fetched : as_read(fetched));
     }
     if (has_stencil()) {
         const std::vector<float> stencils = all_of(depth_, GL_STENCIL_INDEX);
