@@ -77,6 +77,11 @@ void expect_seen(const Seen& expected, const Draw& draw);
 // <may> are those that need not be.
 void expect_seen_or_undetermined(GLbitfield may, const Seen& expected, const Draw& draw);
 
+// 17.3.5.2: what need not be determined where shaders write to memory, primitives or statistics are queried,
+// or rendering is conditional.
+inline constexpr GLbitfield kMayBeUndetermined =
+    GL_PROJECTED_HITS_BIT_EMU | GL_NEAREST_DEPTH_BIT_EMU | GL_SCREEN_BOX_BIT_EMU;
+
 // A register of the first record by GetQueryObjectuiv; kUntouched where the command writes nothing.
 GLuint get_unit(GLuint id, GLenum pname);
 
