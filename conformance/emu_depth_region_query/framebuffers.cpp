@@ -139,6 +139,28 @@ TEST_F(RegionFramebuffers, attachments_of_different_sizes_count_with_what_they_s
     glDeleteRenderbuffers(1, &colour);
 }
 
+// "Of a layered framebuffer the first layer is asked"
+TEST_F(RegionFramebuffers, of_layers_the_first_is_asked) {
+    GLuint texture = 0;
+    GLuint framebuffer = 0;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, texture);
+    glTexStorage3D(GL_TEXTURE_2D_ARRAY, 1, GL_DEPTH_COMPONENT24, 64, 64, 2);
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+    for (GLint layer = 0; layer < 2; ++layer) {
+        glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, texture, 0, layer);
+        put_depth(kWhole, layer == 0 ? kTwoFifths : kFourFifths);
+    }
+    glFramebufferTexture(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, texture, 0);
+    EXPECT_NEAR(furthest(kWhole), kTwoFifths, kLittle);
+    EXPECT_NEAR(nearest(kWhole), kTwoFifths, kLittle);
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteTextures(1, &texture);
+}
+
 class RegionSamples : public RegionTest, public ::testing::WithParamInterface<GLenum> {
   protected:
     void SetUp() override {

@@ -159,6 +159,19 @@ class RegionBuffers : public RegionObjects {
     GLuint buffer = 0;
 };
 
+// "the commands that write a result into a buffer generate INVALID_OPERATION for it"
+TEST_F(RegionBuffers, query_buffers_refuse_the_object) {
+    if (const auto why = lacks(45)) GTEST_SKIP() << *why;
+    query_regions(GL_FURTHEST_DEPTH_EMU, 1, &kRegions[0], ids.data());
+    glGetQueryBufferObjectuiv(ids[0], buffer, GL_QUERY_RESULT, 0);
+    EXPECT_TRUE(error_is(GL_INVALID_OPERATION));
+    glBindBuffer(GL_QUERY_BUFFER, buffer);
+    glGetQueryObjectuiv(ids[0], GL_QUERY_RESULT, nullptr);
+    EXPECT_TRUE(error_is(GL_INVALID_OPERATION));
+    glBindBuffer(GL_QUERY_BUFFER, 0);
+    EXPECT_EQ(held(), std::vector<GLuint>(kWords, kUntouched));
+}
+
 // "<count> words of 32 bits at <offset> of the data store of <buffer>"
 TEST_F(RegionBuffers, answers_are_written_at_the_offset_and_nothing_else) {
     for (const GLenum pname : kEachQuestion) {
