@@ -58,6 +58,14 @@ bool hide_if_not_finite(std::span<ShapeVertex> vertices) {
     return true;
 }
 
+bool is_inside_volume(std::span<const ShapeVertex> vertices) {
+    return std::ranges::all_of(vertices, [](const ShapeVertex& vertex) {
+        const auto& [x, y, z, w] = vertex.clip;
+        const float most = std::max({std::abs(x), std::abs(y), std::abs(z)});
+        return w > 0 && most < w;
+    });
+}
+
 PixelBounds bound_shape(const WindowMap& window, std::span<ShapeVertex> vertices) {
     if (hide_if_not_finite(vertices)) return {};
     constexpr float kMargin = 2;

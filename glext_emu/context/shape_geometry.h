@@ -50,6 +50,9 @@ void transform_shape(GLenum shape, const float* given, const float* matrix, Shap
 // Moves a shape that is not finite out of sight; true where it had to.
 bool hide_if_not_finite(std::span<ShapeVertex> vertices);
 
+// True where nothing of the shape is clipped.
+bool is_inside_volume(std::span<const ShapeVertex> vertices);
+
 // Where the shape may have fragments, a pixel more on each side than rounding can add. A shape that is not
 // finite is moved out of sight, and has none.
 PixelBounds bound_shape(const WindowMap& window, std::span<ShapeVertex> vertices);

@@ -211,6 +211,10 @@ void ShapeRun::draw(Context& ctx, const Shapes& shapes, const FramebufferInfo& f
         ctx.real->glGetFloatv(GL_DEPTH_RANGE, depth_range_.data());
         std::ranges::sort(depth_range_);
     }
+    GLint culled = GL_BACK;
+    ctx.real->glGetIntegerv(GL_CULL_FACE_MODE, &culled);
+    sides_are_alike_ = shapes.kind != GL_QUAD_EMU && !tests.stencil_test && culled != GL_FRONT_AND_BACK &&
+                       ctx.real->glIsEnabled(GL_CULL_FACE) == GL_FALSE;
     hits_tell_projected_ = !tests.depth_can_fail() || framebuffer.depth_bits == 0;
 
     SavedState state(ctx);
@@ -249,6 +253,7 @@ GLsizei ShapeRun::lay_out(Context& ctx, const Shapes& shapes, GLsizei first, con
         transform_shape(shapes.kind, shapes.vertices + given, shapes.matrix, own);
         const std::span<ShapeVertex> corners(own, static_cast<std::size_t>(kind.vertices));
         const PixelBounds bounds = bound_shape(window, corners);
+        sheet.is_whole = sheet.is_whole && is_inside_volume(corners);
         const GLint columns = sheet.words;
         const GLint rows = columns + bounds.width;
         if (has_box) {
@@ -274,7 +279,7 @@ GLsizei ShapeRun::lay_out(Context& ctx, const Shapes& shapes, GLsizei first, con
 void ShapeRun::draw_sheet(Context& ctx, const Shapes& shapes, const std::vector<ShapeVertex>& vertices,
                           const FragmentTests& tests) {
     const RealGl& real = *ctx.real;
-    const Sheet& sheet = sheets_.back();
+    Sheet& sheet = sheets_.back();
     const auto wants = [this](GLbitfield registers) { return (registers_ & registers) != 0; };
     const unsigned common = is_per_sample_ ? kPerSample : 0;
     const bool counts_hits =
@@ -300,9 +305,14 @@ void ShapeRun::draw_sheet(Context& ctx, const Shapes& shapes, const std::vector<
         run(visible | common);
     }
     if (wants(GL_PROJECTED_HITS_BIT_EMU) && !hits_tell_projected_) {
-        // Those that fail the depth test are those that pass the opposite one.
-        real.glDepthFunc(counts_hits ? opposite(tests.depth_func) : GL_ALWAYS);
+        // Of a closed shape that is not clipped, every sample has as many front faces before it as back
+        // faces, since polygons with a common edge share no sample and leave none out (GL 4.6, 14.6.1). Else:
+        // those that fail the depth test are those that pass the opposite one.
+        sheet.has_halves = sides_are_alike_ && sheet.is_whole;
+        if (sheet.has_halves) real.glEnable(GL_CULL_FACE);
+        real.glDepthFunc(counts_hits && !sheet.has_halves ? opposite(tests.depth_func) : GL_ALWAYS);
         run(kNotesHidden | common);
+        if (sheet.has_halves) real.glDisable(GL_CULL_FACE);
         real.glDepthFunc(tests.depth_func);
     }
     binding.unbind(ctx);
@@ -342,7 +352,12 @@ void ShapeRun::read(Context& ctx, Sheet& sheet) {
         occlusion_unit::Record& record = records_[static_cast<std::size_t>(sheet.first + i)];
         record.visible_hits = std::uint64_t{header[0]} * samples_per_fragment_;
         record.visible = header[0] != 0;
-        record.projected_hits = std::uint64_t{header[1]} * samples_per_fragment_ + record.visible_hits;
+        record.projected_hits = std::uint64_t{header[1]} * samples_per_fragment_;
+        if (sheet.has_halves) {
+            record.projected_hits *= 2;
+        } else {
+            record.projected_hits += record.visible_hits;
+        }
         if (has_depth && header[2] != 0) {
             const auto depth = std::bit_cast<float>(far_end_ == FarEnd::kOne ? ~header[2] : header[2]);
             depths.push_back(std::clamp(depth, depth_range_[0], depth_range_[1]));

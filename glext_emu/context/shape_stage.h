@@ -60,6 +60,8 @@ class ShapeRun final : public PendingRecords {
         std::vector<GLint> places;  // of the shapes' columns
         std::vector<PixelBounds> bounds;
         GLint words = 0;
+        bool is_whole = true;     // nothing of any shape is clipped
+        bool has_halves = false;  // the second count is of one side of the faces, all hits
     };
 
     GLsizei lay_out(Context& ctx, const Shapes& shapes, GLsizei first, const WindowMap& window,
@@ -76,6 +78,7 @@ class ShapeRun final : public PendingRecords {
     // Where depths are clamped, which is after the fragment stage has looked at them.
     std::array<float, 2> depth_range_ = {0, 1};
     bool is_per_sample_ = false;
+    bool sides_are_alike_ = false;      // a closed shape's front and back faces have as many hits
     bool hits_tell_projected_ = false;  // every fragment passes the depth test
     GLuint samples_per_fragment_ = 1;
     GLsync fence_ = nullptr;
