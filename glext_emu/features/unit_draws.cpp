@@ -56,8 +56,13 @@ class Marking {
         : ctx_(ctx), run_(run), tests_(tests), wanted_(run.wanted(kMarks)) {
         if (wanted_ == 0) return;
         if (kind == DrawKind::kPrimitives && ProxyMarks::serves(ctx, wanted_, run.far_end(), tests)) {
-            proxy_ = proxy_of_run();
             is_along_ = ProxyMarks::writes_nothing(ctx, tests);
+            // A query of the program's may count primitives.
+            if (is_along_ || can_repeat(ctx)) {
+                proxy_ = proxy_of_run();
+            } else {
+                run.give_up(kMarks);
+            }
         } else {
             plan_copy(kind);
         }
