@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // SGIX_depth_pass_instrument and SGIX_occlusion_instrument: what is measured (SGI-12, SGI-13, SGI-15,
 // SGI-16). Every expected number is an area.
-#include "harness/objects.h"
 #include "sgix_instruments/instruments_test.h"
 
 namespace conformance {
@@ -247,66 +246,6 @@ TEST_F(InstrumentCounts, many_reads_of_one_start_add_up) {
     }
     EXPECT_EQ(next_marker(), -1);
     define();
-}
-
-class MultisampledCounts : public InstrumentCounts {
-  protected:
-    void SetUp() override {
-        ASSERT_NO_FATAL_FAILURE(InstrumentCounts::SetUp());
-        if (IsSkipped()) return;
-        if (const auto why = lacks(30)) GTEST_SKIP() << *why;
-        target.emplace(Framebuffer::Shape{.samples = 4});
-        clear();
-    }
-    void TearDown() override {
-        target.reset();
-        InstrumentCounts::TearDown();
-    }
-    std::optional<Framebuffer> target;
-};
-
-// SGI-13. "If MULTISAMPLE_SGIS is enabled, the counter is incremented by one for each fragment containing at
-// least one sample for which the depth test passed."
-TEST_F(MultisampledCounts, a_fragment_with_all_its_samples_counts_once) {
-    glDisable(GL_MULTISAMPLE);
-    EXPECT_EQ(passed(kBox, 0.5f), 100u);
-    glEnable(GL_MULTISAMPLE);
-    EXPECT_EQ(passed(kBox, 0.5f), 100u);
-    EXPECT_EQ(value_of(kDepthPass,
-                       [] {
-                           draw_rect(kBox, 0.5f);
-                           glDisable(GL_MULTISAMPLE);
-                           draw_rect(kBox, 0.5f);
-                           glEnable(GL_MULTISAMPLE);
-                       }),
-              200u);
-}
-
-// SGI-13, the same clause. Half of the box's edge columns are covered: some of their samples, not all.
-TEST_F(MultisampledCounts, a_fragment_with_some_of_its_samples_counts_once) {
-    const auto half_a_pixel_to_the_right = [] {
-        glBegin(GL_QUADS);
-        glVertex3f(10.5f, 10.0f, 0.5f);
-        glVertex3f(14.5f, 10.0f, 0.5f);
-        glVertex3f(14.5f, 18.0f, 0.5f);
-        glVertex3f(10.5f, 18.0f, 0.5f);
-        glEnd();
-    };
-    EXPECT_EQ(value_of(kDepthPass, half_a_pixel_to_the_right), 40u);
-}
-
-// SGI-15: "whenever a fragment ... passes", be it by one sample.
-TEST_F(MultisampledCounts, one_sample_makes_the_flag_false) {
-    const auto sliver = [] {
-        glBegin(GL_QUADS);
-        glVertex3f(10.0f, 10.0f, 0.5f);
-        glVertex3f(10.5f, 10.0f, 0.5f);
-        glVertex3f(10.5f, 10.5f, 0.5f);
-        glVertex3f(10.0f, 10.5f, 0.5f);
-        glEnd();
-    };
-    EXPECT_EQ(value_of(kOcclusion, sliver), GLuint{GL_FALSE});
-    EXPECT_EQ(value_of(kDepthPass, sliver), 1u);
 }
 
 }  // namespace

@@ -83,14 +83,14 @@ struct Context {
     bool is_initialised = false;  // by the first MakeCurrent
     ContextKind kind;
     const Advertised* advertised = nullptr;
-    bool emulates_test = false;        // GL_HP_occlusion_test
-    bool emulates_nv_query = false;    // GL_NV_occlusion_query
-    bool emulates_nvx_render = false;  // GL_NVX_conditional_render
-    Counters known_instruments = 0;    // GL_SGIX_instruments, with those that it has
+    bool emulates_test = false;             // GL_HP_occlusion_test
+    bool emulates_nv_query = false;         // GL_NV_occlusion_query
+    bool emulates_nvx_render = false;       // GL_NVX_conditional_render
+    Counters known_instruments = 0;         // GL_SGIX_instruments, with those that it has
     bool emulates_visibility_test = false;  // GL_HP_visibility_test
-    bool emulates_regions = false;     // GL_EMU_depth_region_query
-    bool emulates_unit = false;        // GL_EMU_occlusion_unit
-    bool repeats_draws = false;        // so a list's draws have to stand alone
+    bool emulates_regions = false;          // GL_EMU_depth_region_query
+    bool emulates_unit = false;             // GL_EMU_occlusion_unit
+    bool repeats_draws = false;             // so a list's draws have to stand alone
     bool follows_text = false;  // where the driver departs from it; false on a device that passes through
     bool records_operations =
         false;  // lists may hold what the driver must not compile, or the layer must see
@@ -113,7 +113,7 @@ struct Context {
     PrivateCopy private_copy;
     ProbeLog probe;
     std::shared_ptr<UnitStages> unit_stages;  // once fragments were looked at
-    DrawSurface draw_surface;  // behind the default framebuffer, for drawing
+    DrawSurface draw_surface;                 // behind the default framebuffer, for drawing
     DepthReader depth_reader;
     occlusion_unit::Clock clock;
     FrameCounts frame;
