@@ -149,8 +149,10 @@ FramebufferInfo framebuffer_object(Context& ctx, GLuint framebuffer) {
 }  // namespace
 
 FramebufferInfo draw_framebuffer_info(Context& ctx) {
-    const OwnCalls own(ctx);
     const auto framebuffer = static_cast<GLuint>(get(ctx, GL_DRAW_FRAMEBUFFER_BINDING));
+    // Nothing is asked then that could be in error, and looking for one takes time.
+    if (framebuffer == 0 && ctx.draw_surface.has_format) return default_framebuffer(ctx);
+    const OwnCalls own(ctx);
     return framebuffer == 0 ? default_framebuffer(ctx) : framebuffer_object(ctx, framebuffer);
 }
 
