@@ -21,8 +21,12 @@ namespace glext_emu {
 
 struct Context;
 
-// What a draw makes fragments of. <kDepthCopy>: of what lies in the depth buffer.
-enum class DrawKind { kNothing, kPrimitives, kPixels, kDepthCopy };
+// What a draw makes fragments of, and how. <kCollected>: of primitives, by a list of the driver's; it leaves
+// its last vertex' attributes behind, as kPixels may leave the raster position elsewhere.
+enum class DrawKind { kNothing, kPrimitives, kCollected, kPixels };
+
+// No primitive that Begin takes.
+inline constexpr GLenum kNoPrimitive = ~0u;
 
 // An emulated command with its arguments, as it was compiled.
 struct ListOperation {
@@ -37,6 +41,7 @@ struct ListStep {
     GLuint real_list = 0;  // 0: the operation
     ListOperation operation{};
     DrawKind draws = DrawKind::kNothing;  // the list is one draw, which can be repeated
+    GLenum primitive = kNoPrimitive;      // the list is what stands between its Begin and End
 };
 
 struct ShareGroup;

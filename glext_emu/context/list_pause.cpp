@@ -53,12 +53,9 @@ void open_step(Context& ctx) {
     ctx.real->glNewList(ctx.recording.segment, ctx.recording.mode);
 }
 
-bool open_draw_step(Context& ctx) {
-    close_step(ctx);
-    const bool is_repeated_now = ctx.recording.mode == GL_COMPILE_AND_EXECUTE && ctx.proposed.run != nullptr;
+void open_draw_step(Context& ctx, GLenum mode) {
     ctx.recording.segment = make_hidden_list(ctx);
-    ctx.real->glNewList(ctx.recording.segment, is_repeated_now ? GL_COMPILE : ctx.recording.mode);
-    return is_repeated_now;
+    ctx.real->glNewList(ctx.recording.segment, mode);
 }
 
 void close_draw_step(Context& ctx, DrawKind kind) {

@@ -17,9 +17,8 @@ void close_step(Context& ctx);
 // Opens the next one.
 void open_step(Context& ctx);
 
-// The same around a draw that has to stand alone, so that it can be repeated: true where it is only compiled,
-// and so still has to be executed under COMPILE_AND_EXECUTE.
-bool open_draw_step(Context& ctx);
+// The same around a draw that has to stand alone, so that it can be repeated. Inside, <mode> is compiled.
+void open_draw_step(Context& ctx, GLenum mode);
 void close_draw_step(Context& ctx, DrawKind kind);
 
 // Inside this scope the driver executes the layer's own calls instead of compiling them. Does nothing where

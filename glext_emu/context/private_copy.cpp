@@ -125,16 +125,17 @@ MarkingPlan plan_marking(const FramebufferInfo& info, const FragmentTests& tests
     return plan;
 }
 
-bool PrivateCopy::make(Context& ctx, const FramebufferInfo& info) {
+bool PrivateCopy::make(Context& ctx, const FramebufferInfo& info, GLenum format_of_marks) {
     const RealGl& real = *ctx.real;
     destroy(ctx);
     shape = info;
+    marks_format = format_of_marks;
     is_usable = false;
     const GLenum format = depth_format(info);
     if (format == 0 && buffers_of(info) != 0) return false;
     real.glCreateFramebuffers(1, &framebuffer);
     real.glCreateFramebuffers(1, &layer_reader);
-    marks = make_texture(ctx, info, GL_R8);
+    marks = make_texture(ctx, info, marks_format);
     real.glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, marks, 0);
     if (format != 0) {
         depths = make_texture(ctx, info, format);
@@ -159,10 +160,11 @@ void PrivateCopy::destroy(Context& ctx) {
     *this = {};
 }
 
-bool PrivateCopy::take(Context& ctx, const FramebufferInfo& info) {
+bool PrivateCopy::take(Context& ctx, const FramebufferInfo& info, GLenum format_of_marks) {
     const OwnCalls own(ctx);
     const RealGl& real = *ctx.real;
-    if (framebuffer == 0 || !is_same_shape(shape, info)) make(ctx, info);
+    const bool is_there = framebuffer != 0 && is_same_shape(shape, info) && marks_format == format_of_marks;
+    if (!is_there) make(ctx, info, format_of_marks);
     if (!is_usable) return false;
     const GLbitfield buffers = buffers_of(info);
     if (buffers == 0) return true;
@@ -212,10 +214,10 @@ std::optional<Record> PrivateCopy::mark(Context& ctx, const FragmentTests& tests
 void PrivateCopy::prepare(Context& ctx, SavedState& saved, const FragmentTests& tests,
                           const MarkingPlan& plan, FarEnd far_end) {
     const RealGl& real = *ctx.real;
-    real.glClearTexSubImage(marks, 0, 0, 0, 0, shape.width, shape.height, std::max(shape.layers, 1), GL_RED,
-                            GL_UNSIGNED_BYTE, nullptr);
     saved.bind_draw_framebuffer(framebuffer);
     saved.set_all_bits();
+    constexpr GLfloat kUnmarked[4] = {};
+    real.glClearNamedFramebufferfv(framebuffer, GL_COLOR, 0, kUnmarked);
     if (plan.forces_depth_writes) saved.depth_mask(true);
     if (!plan.starts_far) return;
     saved.set(GL_DEPTH_TEST, true);

@@ -39,12 +39,13 @@ struct PrivateCopy {
     GLuint layer_reader = 0;
     GLuint depths = 0;  // textures
     GLuint marks = 0;
+    GLenum marks_format = 0;
     FramebufferInfo shape;  // of what there is
     bool is_usable = false;
 
-    // Before the draw: copies depth and stencil. False where the driver cannot.
-    bool take(Context& ctx, const FramebufferInfo& info);
-    // After it, inside a Repetition: <draw> is made on the copy. Nearest depth and screen box of what was
+    // Copies depth and stencil as they are before the draw. False where the driver cannot.
+    bool take(Context& ctx, const FramebufferInfo& info, GLenum marks_format);
+    // Inside a Repetition: <draw> is made on the copy. Nearest depth and screen box of what was
     // marked.
     // Nothing where the driver cannot tell.
     std::optional<occlusion_unit::Record> mark(Context& ctx, const FragmentTests& tests,
@@ -52,7 +53,7 @@ struct PrivateCopy {
                                                const std::function<void()>& draw);
 
   private:
-    bool make(Context& ctx, const FramebufferInfo& info);
+    bool make(Context& ctx, const FramebufferInfo& info, GLenum format_of_marks);
     void destroy(Context& ctx);
     void prepare(Context& ctx, SavedState& saved, const FragmentTests& tests, const MarkingPlan& plan,
                  occlusion_unit::FarEnd far_end);

@@ -85,7 +85,7 @@ GLint get(Context& ctx, GLenum name) {
 // passes if any does where the function asks for nearer ones; what passes in the draw itself is otherwise a
 // matter of order.
 bool is_free_of_order(GLbitfield registers, FarEnd far_end, const FragmentTests& tests) {
-    if (tests.stencil_writes()) return false;
+    if (tests.stencil_test) return false;  // softpipe's early tests leave it out
     const bool writes_depth = tests.depth_test && tests.depth_writes;
     if (!writes_depth || (registers & GL_NEAREST_DEPTH_BIT_EMU) == 0) return true;
     switch (tests.depth_func) {

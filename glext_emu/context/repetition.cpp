@@ -2,7 +2,7 @@
 #include "context/repetition.h"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 #include "context/unit_run.h"
 
@@ -94,19 +94,29 @@ bool counts_draws(Context& ctx) {
            });
 }
 
+// Current attributes, materials, the raster position.
+bool leaves_state_behind(const Context& ctx, DrawKind kind) {
+    return ctx.kind.is_compatibility() && (kind == DrawKind::kCollected || kind == DrawKind::kPixels);
+}
+
 }  // namespace
 
-bool can_repeat(Context& ctx) {
+bool can_repeat(Context& ctx, DrawKind kind) {
     const OwnCalls own(ctx);
+    if (leaves_state_behind(ctx, kind) && get(ctx, GL_ATTRIB_STACK_DEPTH) >= ctx.kind.attrib_stack_depth) {
+        return false;
+    }
     if (ctx.kind.version < GlVersion{4, 3}) return !counts_draws(ctx);
     const std::vector<GLuint> run = programs(ctx);
     return !counts_draws(ctx) &&
            std::ranges::none_of(run, [&](GLuint program) { return writes_memory(ctx, program); });
 }
 
-Repetition::Repetition(Context& ctx) : ctx_(ctx), own_(ctx) {
+Repetition::Repetition(Context& ctx, DrawKind kind) : ctx_(ctx), own_(ctx) {
     if (ctx.proposed.run != nullptr) ctx.proposed.run->close_segment(ctx);
     if (ctx.slot.app_query != 0) pause_.emplace(ctx);
+    has_pushed_ = leaves_state_behind(ctx, kind);
+    if (has_pushed_) ctx.real->glPushAttrib(GL_CURRENT_BIT | GL_LIGHTING_BIT);
     if (ctx.kind.version >= GlVersion{4, 0}) {
         const auto is = [&](GLenum name) { return get(ctx_, name) != 0; };
         feedback_was_active_ = is(GL_TRANSFORM_FEEDBACK_ACTIVE) && !is(GL_TRANSFORM_FEEDBACK_PAUSED);
@@ -119,36 +129,9 @@ Repetition::Repetition(Context& ctx) : ctx_(ctx), own_(ctx) {
 }
 
 Repetition::~Repetition() {
+    if (has_pushed_) ctx_.real->glPopAttrib();
     if (debug_output_was_on_) ctx_.real->glEnable(GL_DEBUG_OUTPUT);
     if (feedback_was_active_) ctx_.real->glResumeTransformFeedback();
-}
-
-WritesOff::WritesOff(Context& ctx) : ctx_(ctx) {
-    const auto buffers = static_cast<std::size_t>(std::max(get(ctx, GL_MAX_DRAW_BUFFERS), 1));
-    color_masks_.resize(buffers);
-    bool writes = false;
-    for (std::size_t i = 0; i < buffers; ++i) {
-        ctx.real->glGetBooleani_v(GL_COLOR_WRITEMASK, static_cast<GLuint>(i), color_masks_[i].channels);
-        writes =
-            writes || std::ranges::any_of(color_masks_[i].channels, [](GLboolean on) { return on != 0; });
-    }
-    if (!writes) color_masks_.clear();
-    if (writes) ctx.real->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    stencil_was_on_ = ctx.real->glIsEnabled(GL_STENCIL_TEST) != GL_FALSE;
-    if (!stencil_was_on_) return;
-    front_mask_ = get(ctx, GL_STENCIL_WRITEMASK);
-    back_mask_ = get(ctx, GL_STENCIL_BACK_WRITEMASK);
-    ctx.real->glStencilMaskSeparate(GL_FRONT_AND_BACK, 0);
-}
-
-WritesOff::~WritesOff() {
-    for (std::size_t i = 0; i < color_masks_.size(); ++i) {
-        const GLboolean* const on = color_masks_[i].channels;
-        ctx_.real->glColorMaski(static_cast<GLuint>(i), on[0], on[1], on[2], on[3]);
-    }
-    if (!stencil_was_on_) return;
-    ctx_.real->glStencilMaskSeparate(GL_FRONT, static_cast<GLuint>(front_mask_));
-    ctx_.real->glStencilMaskSeparate(GL_BACK, static_cast<GLuint>(back_mask_));
 }
 
 }  // namespace glext_emu

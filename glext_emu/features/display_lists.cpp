@@ -74,7 +74,7 @@ Known look_up(Context& ctx, GLuint list) {
 }
 
 // Plays a list of the driver's own.
-void play(Context& ctx, GLuint real_list, BeginEnd begin_end, DrawKind kind = DrawKind::kPrimitives) {
+void play(Context& ctx, GLuint real_list, BeginEnd begin_end, DrawKind kind = DrawKind::kCollected) {
     if (begin_end == BeginEnd::kOpens) remember_list_base(ctx);
     const auto call = [&] { ctx.real->glCallList(real_list); };
     if (kind == DrawKind::kNothing && begin_end == BeginEnd::kUnchanged) {
@@ -104,8 +104,12 @@ void execute(Context& ctx, GLuint list) {
             const bool is_in_error = !step.operation.calls_lists && ctx.is_between_begin_and_end();
             if (!is_in_error) step.operation.run(ctx, step.operation);
         } else {
+            if (step.primitive != kNoPrimitive) {
+                draw_collected(ctx, step.primitive, step.real_list);
+                continue;
+            }
             // Of a list that is not split into its draws, nobody knows what it draws.
-            const DrawKind kind = ctx.repeats_draws ? step.draws : DrawKind::kPrimitives;
+            const DrawKind kind = ctx.repeats_draws ? step.draws : DrawKind::kCollected;
             play(ctx, step.real_list, look_up(ctx, step.real_list).begin_end, kind);
         }
     }
@@ -246,7 +250,7 @@ void call_lists(Context& ctx, GLsizei n, GLenum type, const void* lists) {
     const std::size_t size = element_size(type);
     const bool may_hold_ours = ctx.recording.is_open() || ctx.share_group->has_own_lists;
     if (n <= 0 || size == 0 || lists == nullptr || !ctx.records_operations || !may_hold_ours) {
-        return draw(ctx, unknown(), [&] { ctx.real->glCallLists(n, type, lists); });
+        return draw(ctx, {0, false, DrawKind::kCollected}, [&] { ctx.real->glCallLists(n, type, lists); });
     }
     const auto* const bytes = static_cast<const std::byte*>(lists);
     if (ctx.recording.is_open() && !ctx.inside_begin_end) {

@@ -67,20 +67,21 @@ bool stands_alone(const Context& ctx) {
            ctx.recording.begin_end == BeginEnd::kUnchanged;
 }
 
-// Executes a draw that has only been compiled.
-void play_step(Context& ctx, GLuint list, Triangles triangles) {
-    ctx.recording.is_suspended = true;
-    draw(ctx, triangles, [&] { ctx.real->glCallList(list); });
-    ctx.recording.is_suspended = false;
-}
-
+// A draw that is compiled and executed while the unit watches is executed first, by itself.
 void draw_in_list(Context& ctx, Triangles triangles, DrawCall call) {
-    const bool is_still_to_do = open_draw_step(ctx);
-    if (!is_still_to_do && !ctx.recording.only_compiles()) before_draw(ctx, triangles);
+    ListRecording& recording = ctx.recording;
+    const bool is_watched = !recording.only_compiles() && ctx.proposed.run != nullptr;
+    close_step(ctx);
+    if (is_watched) {
+        recording.is_suspended = true;
+        draw(ctx, triangles, call);
+        recording.is_suspended = false;
+    } else if (!recording.only_compiles()) {
+        before_draw(ctx, triangles);
+    }
+    open_draw_step(ctx, is_watched ? GL_COMPILE : recording.mode);
     call();
-    const GLuint list = ctx.recording.segment;
-    close_draw_step(ctx, triangles.kind);
-    if (is_still_to_do) play_step(ctx, list, triangles);
+    close_draw_step(ctx, triangles.kind == DrawKind::kPixels ? DrawKind::kPixels : DrawKind::kCollected);
     open_step(ctx);
 }
 
@@ -111,20 +112,31 @@ void draw_pixels(Context& ctx, GLsizei width, GLsizei height, GLenum format, GLe
 }
 
 void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type) {
-    const bool is_of_depth = type == GL_DEPTH || type == GL_DEPTH_STENCIL;
-    draw_rectangle(ctx, type, is_of_depth ? DrawKind::kDepthCopy : DrawKind::kPixels,
-                   [&] { ctx.real->glCopyPixels(x, y, width, height, type); });
+    draw_rectangle(ctx, type, DrawKind::kPixels, [&] { ctx.real->glCopyPixels(x, y, width, height, type); });
 }
 
-// A primitive that will be repeated is collected in a list of the driver's and drawn from there.
+void draw_collected(Context& ctx, GLenum mode, GLuint list) {
+    draw(ctx, {0, false, DrawKind::kCollected}, [&] {
+        ctx.real->glBegin(mode);
+        ctx.real->glCallList(list);
+        ctx.real->glEnd();
+    });
+}
+
+// What stands between the Begin and End of a primitive that will be repeated is collected in a list of the
+// driver's, which is called between another Begin and End: a list with the primitive itself is not the same
+// to Mesa, which cuts its quadrilaterals along the other diagonal.
 void begin(Context& ctx, GLenum mode) {
     if (!is_primitive(mode) || ctx.inside_begin_end) return ctx.real->glBegin(mode);
 
     ListRecording& recording = ctx.recording;
+    const bool is_watched = ctx.proposed.run != nullptr && !recording.only_compiles();
     if (stands_alone(ctx)) {
         recording.is_in_draw_step = true;
-        if (open_draw_step(ctx)) ctx.collected_primitive = recording.segment;
-    } else if (ctx.proposed.run != nullptr && !recording.is_open()) {
+        close_step(ctx);
+        open_draw_step(ctx, is_watched ? GL_COMPILE : recording.mode);
+        if (is_watched) ctx.collected_primitive = recording.segment;
+    } else if (is_watched && !recording.is_open()) {
         ctx.collected_primitive = make_hidden_list(ctx);
         ctx.real->glNewList(ctx.collected_primitive, GL_COMPILE);
     }
@@ -134,24 +146,33 @@ void begin(Context& ctx, GLenum mode) {
         remember_list_base(ctx);
         ctx.set_inside_begin_end(true);
     }
-    ctx.real->glBegin(mode);
+    if (ctx.collected_primitive != 0) {
+        ctx.collected_mode = mode;
+    } else {
+        ctx.real->glBegin(mode);
+    }
 }
 
 void end(Context& ctx) {
     ListRecording& recording = ctx.recording;
+    const GLuint collected = std::exchange(ctx.collected_primitive, 0);
     if (recording.is_open()) recording.follow(BeginEnd::kCloses);
     if (!recording.only_compiles()) ctx.set_inside_begin_end(false);
-    ctx.real->glEnd();
+    if (collected == 0) ctx.real->glEnd();
 
-    const GLuint collected = std::exchange(ctx.collected_primitive, 0);
     if (recording.is_in_draw_step && recording.begin_end == BeginEnd::kUnchanged) {
         recording.is_in_draw_step = false;
-        close_draw_step(ctx, DrawKind::kPrimitives);
-        if (collected != 0) play_step(ctx, collected, unknown());
+        close_draw_step(ctx, DrawKind::kCollected);
+        if (collected != 0) {
+            recording.steps.back().primitive = ctx.collected_mode;
+            recording.is_suspended = true;
+            draw_collected(ctx, ctx.collected_mode, collected);
+            recording.is_suspended = false;
+        }
         open_step(ctx);
     } else if (collected != 0) {
         ctx.real->glEndList();
-        draw(ctx, unknown(), [&] { ctx.real->glCallList(collected); });
+        draw_collected(ctx, ctx.collected_mode, collected);
         delete_hidden_list(ctx, collected);
     }
 }

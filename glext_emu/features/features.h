@@ -12,6 +12,8 @@ namespace glext_emu::features {
 // draw_scope.cpp
 // Executes a draw; everything that wants to know of draws, or to repeat them, is told here.
 void draw(Context& ctx, Triangles triangles, DrawCall call);
+// The same of a primitive, <list> being what stands between its Begin and End.
+void draw_collected(Context& ctx, GLenum mode, GLuint list);
 void draw_pixels(Context& ctx, GLsizei width, GLsizei height, GLenum format, GLenum type, const void* pixels);
 void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum type);
 void begin(Context& ctx, GLenum mode);

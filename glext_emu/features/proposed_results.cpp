@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "context/list_pause.h"
 #include "context/refusals.h"
 #include "features/features.h"
 #include "features/stall.h"
@@ -45,6 +46,7 @@ T nearest(std::uint64_t value) {
 
 bool is_available(Context& ctx, ProposedQuery& query) {
     ctx.frame.polls++;
+    const ListPause pause(ctx);
     if (ctx.clock.delays() && !ctx.clock.poll(query.due)) return false;
     // A deterministic clock does not depend on when the driver happens to be ready.
     if (ctx.clock.is_deterministic()) drain_records(ctx, query);
@@ -53,6 +55,7 @@ bool is_available(Context& ctx, ProposedQuery& query) {
 }
 
 void wait_for(Context& ctx, ProposedQuery& query) {
+    const ListPause pause(ctx);  // what reads the marks may draw
     std::optional<StallScope> stall;
     if (!query.was_seen_available) stall.emplace(ctx);
     drain_records(ctx, query);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A draw that the Occlusion Unit watches. The driver counts the visible hits of the draw itself; the
-// projected hits are those of the draw once more without depth test; the marks come from the program's own
-// draw on a private copy of depth and stencil, or from an instrumented fragment stage. What cannot be had
-// exactly is given up, never guessed.
+// projected hits are those of the draw once more without depth test, beforehand; the marks come from the
+// program's own draw on a private copy of depth and stencil, or from an instrumented fragment stage. What
+// cannot be had exactly is given up, never guessed.
 #include <algorithm>
 #include <memory>
 
@@ -49,37 +49,57 @@ bool has_one_scissor(Context& ctx) {
     return true;
 }
 
+// GL 4.6 compatibility, 19.3, 19.4: in feedback and selection mode nothing is rasterised; a repeated draw
+// would be told twice.
+bool makes_no_fragments(Context& ctx) {
+    if (ctx.real->glIsEnabled(GL_RASTERIZER_DISCARD) != GL_FALSE) return true;
+    GLint mode = GL_RENDER;
+    if (ctx.kind.is_compatibility()) ctx.real->glGetIntegerv(GL_RENDER_MODE, &mode);
+    return mode != GL_RENDER;
+}
+
+// llvmpipe compares alpha in the precision of the colour buffer, so the marks lie in one that has it too.
+GLenum marks_format(Context& ctx) {
+    if (!ctx.kind.is_compatibility() || ctx.real->glIsEnabled(GL_ALPHA_TEST) == GL_FALSE) return GL_R8;
+    GLint alpha_bits = 0;
+    ctx.real->glGetIntegerv(GL_ALPHA_BITS, &alpha_bits);
+    return alpha_bits == 8 ? GL_RGBA8 : GL_R8;
+}
+
 // How the marks of one draw are found.
 class Marking {
   public:
     Marking(Context& ctx, UnitRun& run, const FragmentTests& tests, DrawKind kind)
-        : ctx_(ctx), run_(run), tests_(tests), wanted_(run.wanted(kMarks)) {
+        : ctx_(ctx), run_(run), tests_(tests), kind_(kind), wanted_(run.wanted(kMarks)) {
         if (wanted_ == 0) return;
-        if (kind == DrawKind::kPrimitives && ProxyMarks::serves(ctx, wanted_, run.far_end(), tests)) {
+        if (kind != DrawKind::kPixels && ProxyMarks::serves(ctx, wanted_, run.far_end(), tests)) {
             is_along_ = ProxyMarks::writes_nothing(ctx, tests);
             // A query of the program's may count primitives.
-            if (is_along_ || can_repeat(ctx)) {
+            if (is_along_ || can_repeat(ctx, kind)) {
                 proxy_ = proxy_of_run();
             } else {
                 run.give_up(kMarks);
             }
         } else {
-            plan_copy(kind);
+            plan_copy();
         }
     }
 
+    // The draw beforehand, once more than it is made.
     void before(DrawCall call) {
-        if (proxy_ != nullptr && !is_along_) {
-            const Repetition repetition(ctx_);
+        if (copies_ && !ctx_.private_copy.take(ctx_, info_, marks_format_)) return run_.give_up(kMarks);
+        if (copies_) {
+            const Repetition repetition(ctx_, kind_);
+            const auto marks = ctx_.private_copy.mark(ctx_, tests_, plan_, run_.far_end(), call);
+            if (!marks) return run_.give_up(kMarks);
+            run_.mark(*marks);
+        } else if (proxy_ != nullptr && !is_along_) {
+            const Repetition repetition(ctx_, kind_);
             SavedState saved(ctx_);
             saved.write_nothing();
             proxy_->begin_draw(ctx_);
             call();
             proxy_->end_draw(ctx_);
-        }
-        if (copies_ && !ctx_.private_copy.take(ctx_, info_)) {
-            copies_ = false;
-            run_.give_up(kMarks);
         }
     }
     // The draw itself.
@@ -89,13 +109,6 @@ class Marking {
         call();
         proxy_->end_draw(ctx_);
     }
-    void after(DrawCall call) {
-        if (!copies_) return;
-        const Repetition repetition(ctx_);
-        const auto marks = ctx_.private_copy.mark(ctx_, tests_, plan_, run_.far_end(), call);
-        if (!marks) return run_.give_up(kMarks);
-        run_.mark(*marks);
-    }
 
   private:
     ProxyMarks* proxy_of_run() {
@@ -104,33 +117,35 @@ class Marking {
         return static_cast<ProxyMarks*>(marks.get());
     }
 
-    // A copy is drawn to when the draw has been made: what the draw reads must not be what it has written.
-    void plan_copy(DrawKind kind) {
-        const bool can_copy = ctx_.kind.version >= GlVersion{4, 5} && ctx_.conditional.query == 0 &&
-                              kind != DrawKind::kDepthCopy && can_repeat(ctx_) && has_one_scissor(ctx_);
+    void plan_copy() {
+        const bool can_copy = ctx_.kind.has_named_buffers && ctx_.conditional.query == 0 &&
+                              can_repeat(ctx_, kind_) && has_one_scissor(ctx_);
         if (!can_copy) return run_.give_up(kMarks);
         info_ = draw_framebuffer_info(ctx_);
-        if (!info_.is_complete || ctx_.real->glIsEnabled(GL_RASTERIZER_DISCARD) != GL_FALSE) return;
+        if (!info_.is_complete) return;
         plan_ = plan_marking(info_, tests_, wanted_, run_.far_end());
         if (!plan_.can_tell_depth) run_.give_up(GL_NEAREST_DEPTH_BIT_EMU);
         copies_ = plan_.can_mark && !plan_.marks_nothing && run_.wants(kMarks);
+        marks_format_ = marks_format(ctx_);
     }
 
     Context& ctx_;
     UnitRun& run_;
     const FragmentTests& tests_;
+    DrawKind kind_;
     GLbitfield wanted_;
     ProxyMarks* proxy_ = nullptr;
     bool is_along_ = false;  // the draw itself runs the proxy's stage
     bool copies_ = false;
+    GLenum marks_format_ = GL_R8;
     FramebufferInfo info_;
     MarkingPlan plan_;
 };
 
 // The draw once more, counted without depth test and without a trace.
-void count_projected(Context& ctx, UnitRun& run, const FragmentTests& tests, DrawCall call) {
-    if (!can_repeat(ctx)) return run.give_up(kProjected);
-    const Repetition repetition(ctx);
+void count_projected(Context& ctx, UnitRun& run, const FragmentTests& tests, DrawKind kind, DrawCall call) {
+    if (!can_repeat(ctx, kind)) return run.give_up(kProjected);
+    const Repetition repetition(ctx, kind);
     SavedState saved(ctx);
     saved.write_nothing();
     if (tests.depth_test) saved.set(GL_DEPTH_TEST, false);
@@ -150,6 +165,7 @@ void draw_under_unit(Context& ctx, DrawKind kind, DrawCall call) {
         return call();
     }
 
+    if (makes_no_fragments(ctx)) return call();
     const FragmentTests tests = read_fragment_tests(ctx);
     // Where every fragment passes, the draw itself has the projected hits; not while the query that is
     // watched has the driver's slot.
@@ -158,10 +174,9 @@ void draw_under_unit(Context& ctx, DrawKind kind, DrawCall call) {
     const bool counts_projected = run.wants(kProjected);
     Marking marking(ctx, run, tests, kind);
     marking.before(call);
+    if (counts_projected && !counts_along) count_projected(ctx, run, tests, kind, call);
     run.count_for(ctx, counts | (counts_projected && counts_along ? kProjected : 0), samples_per_count(ctx));
     marking.draw(call);
-    if (counts_projected && !counts_along) count_projected(ctx, run, tests, call);
-    marking.after(call);
 }
 
 }  // namespace glext_emu::features
