@@ -54,6 +54,7 @@ struct SampleShape {
     bool has_float_depth = false;
     GLint stencil_bits = 0;
     bool has_marks = false;
+    bool has_alpha = false;   // they lie in RGBA8 instead of R8
     bool is_flipped = false;  // its rows run the other way: a blit to one that does not is no plain copy
 };
 
@@ -98,7 +99,7 @@ class SampleCopy {
             buffers |= GL_DEPTH_BUFFER_BIT | (has_stencil ? GL_STENCIL_BUFFER_BIT : 0u);
         }
         if (shape.has_marks) {
-            attach(marks, GL_COLOR_ATTACHMENT0, GL_R8, shape, rect);
+            attach(marks, GL_COLOR_ATTACHMENT0, shape.has_alpha ? GL_RGBA8 : GL_R8, shape, rect);
             buffers |= GL_COLOR_BUFFER_BIT;
         } else {
             real_.glNamedFramebufferDrawBuffer(framebuffer_, GL_NONE);
@@ -322,6 +323,8 @@ bool read_samples(Context& ctx, GLuint fbo, const Rect& rect, std::vector<float>
     shape.samples = parameter(GL_SAMPLES);
     shape.is_flipped = parameter(GL_FRAMEBUFFER_FLIP_Y_MESA) != 0;
     shape.has_marks = is_there(GL_COLOR_ATTACHMENT0);
+    shape.has_alpha =
+        shape.has_marks && attachment(GL_COLOR_ATTACHMENT0, GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE) != 0;
     if (is_there(GL_DEPTH_ATTACHMENT)) {
         shape.depth_bits = attachment(GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
         shape.has_float_depth =

@@ -130,7 +130,7 @@ void begin(Context& ctx, GLenum mode) {
     if (!is_primitive(mode) || ctx.inside_begin_end) return ctx.real->glBegin(mode);
 
     ListRecording& recording = ctx.recording;
-    const bool is_watched = ctx.proposed.run != nullptr && !recording.only_compiles();
+    const bool is_watched = ctx.proposed.run != nullptr && !recording.only_compiles() && makes_fragments(ctx);
     if (stands_alone(ctx)) {
         recording.is_in_draw_step = true;
         close_step(ctx);

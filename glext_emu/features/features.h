@@ -81,6 +81,8 @@ void occlusion_unit_shapes_emu(Context& ctx, GLbitfield registers, GLenum shape,
                                const GLfloat* vertices, const GLfloat* matrix, GLuint id);
 void get_occlusion_records_emu(Context& ctx, GLuint id, GLsizei first, GLsizei count,
                                GLocclusionrecordEMU* records);
+// False in feedback and selection mode, and while primitives are discarded.
+bool makes_fragments(Context& ctx);
 // A draw while a unit's query is active.
 void draw_under_unit(Context& ctx, DrawKind kind, DrawCall call);
 

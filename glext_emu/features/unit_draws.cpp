@@ -49,15 +49,6 @@ bool has_one_scissor(Context& ctx) {
     return true;
 }
 
-// GL 4.6 compatibility, 19.3, 19.4: in feedback and selection mode nothing is rasterised; a repeated draw
-// would be told twice.
-bool makes_no_fragments(Context& ctx) {
-    if (ctx.real->glIsEnabled(GL_RASTERIZER_DISCARD) != GL_FALSE) return true;
-    GLint mode = GL_RENDER;
-    if (ctx.kind.is_compatibility()) ctx.real->glGetIntegerv(GL_RENDER_MODE, &mode);
-    return mode != GL_RENDER;
-}
-
 // llvmpipe compares alpha in the precision of the colour buffer, so the marks lie in one that has it too.
 GLenum marks_format(Context& ctx) {
     if (!ctx.kind.is_compatibility() || ctx.real->glIsEnabled(GL_ALPHA_TEST) == GL_FALSE) return GL_R8;
@@ -156,6 +147,15 @@ void count_projected(Context& ctx, UnitRun& run, const FragmentTests& tests, Dra
 
 }  // namespace
 
+// GL 4.6 compatibility, 19.3, 19.4: in feedback and selection mode nothing is rasterised; a repeated draw
+// would be told twice.
+bool makes_fragments(Context& ctx) {
+    if (ctx.real->glIsEnabled(GL_RASTERIZER_DISCARD) != GL_FALSE) return false;
+    GLint mode = GL_RENDER;
+    if (ctx.kind.is_compatibility()) ctx.real->glGetIntegerv(GL_RENDER_MODE, &mode);
+    return mode == GL_RENDER;
+}
+
 void draw_under_unit(Context& ctx, DrawKind kind, DrawCall call) {
     aim_probe(ctx);
     UnitRun& run = *ctx.proposed.run;
@@ -165,7 +165,7 @@ void draw_under_unit(Context& ctx, DrawKind kind, DrawCall call) {
         return call();
     }
 
-    if (makes_no_fragments(ctx)) return call();
+    if (!makes_fragments(ctx)) return call();
     const FragmentTests tests = read_fragment_tests(ctx);
     // Where every fragment passes, the draw itself has the projected hits; not while the query that is
     // watched has the driver's slot.
