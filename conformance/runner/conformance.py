@@ -17,7 +17,7 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-VENDORS = {"arb", "ext", "hp", "khr", "nv", "nvx", "sgix"}
+VENDORS = {"arb", "emu", "ext", "hp", "khr", "nv", "nvx", "sgix"}
 GOOD, BAD, BAD_USE, SKIPPED = 0, 1, 2, 77
 
 EPILOG = """\

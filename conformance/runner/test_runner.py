@@ -77,6 +77,13 @@ class TheRunner(unittest.TestCase):
                 status, said = self.run_it({"arb_some": PASSES, "nv_other": FAILS}, "--extension", name)
                 self.assertEqual((status, "NV" in said), (0, False), said)
 
+    def test_extensions_have_their_vendors_prefix_and_other_matters_their_own_name(self):
+        status, said = self.run_it({"emu_occlusion_unit": PASSES, "overlap": PASSES})
+        self.assertEqual(status, 0)
+        self.assertEqual([line.split()[0] for line in said.splitlines()[:2]], ["GL_EMU_occlusion_unit", "overlap"])
+        status, said = self.run_it({"emu_occlusion_unit": PASSES}, "--extension", "GL_EMU_occlusion_unit")
+        self.assertEqual(status, 0, said)
+
     def test_the_list_runs_nothing(self):
         programs = {"arb_some": CRASHES, "nv_other": CRASHES}
         self.assertEqual(self.run_it(programs, "--list")[1],
