@@ -103,7 +103,7 @@ struct Context {
     bool inside_begin_end = false;       // as far as Begin, which may have failed, and End tell
     GLuint collected_primitive = 0;      // the driver's list of a Begin and End that are to be repeated
     GLenum collected_mode = 0;           // of that Begin
-    GLint list_base = 0;                 // while inside Begin/End, where it can neither change nor be asked for
+    GLint list_base = 0;  // while inside Begin/End, where it can neither change nor be asked for
     ListRecording recording;
     std::vector<SavedEnable> attrib_stack;
     OcclusionSlot slot;
