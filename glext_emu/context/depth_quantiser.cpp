@@ -27,6 +27,11 @@ std::uint32_t float_truncated(float depth, int bits) {
     return static_cast<std::uint32_t>(
         std::min(static_cast<double>(depth * static_cast<float>(largest(bits))), 4294967295.0));
 }
+// The same rounded to the nearest even: the conversion of x86's vector units.
+std::uint32_t float_rounded_to_even(float depth, int bits) {
+    return static_cast<std::uint32_t>(std::min(
+        std::nearbyint(static_cast<double>(depth * static_cast<float>(largest(bits)))), 4294967295.0));
+}
 // The same for fewer bits: the value is added to a float whose last bits are the format's, and so is rounded.
 std::uint32_t float_rounded_by_sum(float depth, int bits) {
     if (bits > 23) return ~0u;
@@ -53,8 +58,9 @@ std::uint32_t double_rounded_to_even(float depth, int bits) {
         std::nearbyint(static_cast<double>(depth) * static_cast<double>(largest(bits))));
 }
 
-constexpr std::array kFormulas = {float_truncated,  float_rounded_by_sum, float_repeated,
-                                  double_truncated, double_rounded,       double_rounded_to_even};
+constexpr std::array kFormulas = {float_truncated,       float_rounded_to_even, float_rounded_by_sum,
+                                  float_repeated,        double_truncated,      double_rounded,
+                                  double_rounded_to_even};
 
 // Around and between what the format can hold, at any magnitude.
 std::vector<float> probes(int bits) {

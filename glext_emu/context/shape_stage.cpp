@@ -309,8 +309,9 @@ void ShapeRun::draw_sheet(Context& ctx, const Shapes& shapes, const std::vector<
         // faces, since polygons with a common edge share no sample and leave none out (GL 4.6, 14.6.1). Else:
         // those that fail the depth test are those that pass the opposite one.
         sheet.has_halves = sides_are_alike_ && sheet.is_whole;
+        sheet.counts_all = sheet.has_halves || !counts_hits;
         if (sheet.has_halves) real.glEnable(GL_CULL_FACE);
-        real.glDepthFunc(counts_hits && !sheet.has_halves ? opposite(tests.depth_func) : GL_ALWAYS);
+        real.glDepthFunc(sheet.counts_all ? GL_ALWAYS : opposite(tests.depth_func));
         run(kNotesHidden | common);
         if (sheet.has_halves) real.glDisable(GL_CULL_FACE);
         real.glDepthFunc(tests.depth_func);
@@ -353,11 +354,8 @@ void ShapeRun::read(Context& ctx, Sheet& sheet) {
         record.visible_hits = std::uint64_t{header[0]} * samples_per_fragment_;
         record.visible = header[0] != 0;
         record.projected_hits = std::uint64_t{header[1]} * samples_per_fragment_;
-        if (sheet.has_halves) {
-            record.projected_hits *= 2;
-        } else {
-            record.projected_hits += record.visible_hits;
-        }
+        if (sheet.has_halves) record.projected_hits *= 2;
+        if (!sheet.counts_all) record.projected_hits += record.visible_hits;
         if (has_depth && header[2] != 0) {
             const auto depth = std::bit_cast<float>(far_end_ == FarEnd::kOne ? ~header[2] : header[2]);
             depths.push_back(std::clamp(depth, depth_range_[0], depth_range_[1]));

@@ -61,7 +61,8 @@ class ShapeRun final : public PendingRecords {
         std::vector<PixelBounds> bounds;
         GLint words = 0;
         bool is_whole = true;     // nothing of any shape is clipped
-        bool has_halves = false;  // the second count is of one side of the faces, all hits
+        bool counts_all = false;  // the second count is of visible hits too
+        bool has_halves = false;  // and of one side of the faces
     };
 
     GLsizei lay_out(Context& ctx, const Shapes& shapes, GLsizei first, const WindowMap& window,
