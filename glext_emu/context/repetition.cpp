@@ -71,7 +71,13 @@ std::vector<GLuint> programs(Context& ctx) {
     return found;
 }
 
-// What counts primitives or invocations rather than samples or time.
+// Current attributes, materials, the raster position.
+bool leaves_state_behind(const Context& ctx, DrawKind kind) {
+    return ctx.kind.is_compatibility() && (kind == DrawKind::kCollected || kind == DrawKind::kPixels);
+}
+
+}  // namespace
+
 bool counts_draws(Context& ctx) {
     static constexpr GLenum kTargets[] = {GL_PRIMITIVES_GENERATED,
                                           GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN,
@@ -87,19 +93,13 @@ bool counts_draws(Context& ctx) {
                                           GL_FRAGMENT_SHADER_INVOCATIONS,
                                           GL_CLIPPING_INPUT_PRIMITIVES,
                                           GL_CLIPPING_OUTPUT_PRIMITIVES};
+    const OwnCalls own(ctx);
     return ctx.proposed.counts_draws && std::ranges::any_of(kTargets, [&](GLenum target) {
                GLint query = 0;
                ctx.real->glGetQueryiv(target, GL_CURRENT_QUERY, &query);
                return query != 0;
            });
 }
-
-// Current attributes, materials, the raster position.
-bool leaves_state_behind(const Context& ctx, DrawKind kind) {
-    return ctx.kind.is_compatibility() && (kind == DrawKind::kCollected || kind == DrawKind::kPixels);
-}
-
-}  // namespace
 
 bool can_repeat(Context& ctx, DrawKind kind) {
     const OwnCalls own(ctx);

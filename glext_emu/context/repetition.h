@@ -11,6 +11,9 @@
 
 namespace glext_emu {
 
+// True while a query of the program's counts primitives or invocations rather than samples or time: it sees
+// every draw.
+bool counts_draws(Context& ctx);
 // False where a repeated draw would leave traces that cannot be hidden: its shaders write memory, or a query
 // of the program's counts primitives or invocations.
 bool can_repeat(Context& ctx, DrawKind kind = DrawKind::kPrimitives);

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "context/list_pause.h"
+#include "context/repetition.h"
 #include "context/saved_state.h"
 #include "context/shape_stage.h"
 #include "features/features.h"
@@ -88,8 +89,10 @@ void occlusion_unit_shapes_emu(Context& ctx, GLbitfield registers, GLenum shape,
         current = current_matrix(ctx);
         matrix = current.data();
     }
-    const Shapes shapes{registers, shape, count, vertices, matrix, ctx.proposed.unit_far_end()};
-    const bool draws = draws_fragments(ctx);
+    // No command of GL draws past such a query, so there the shapes stay undetermined.
+    const bool is_seen = counts_draws(ctx);
+    const Shapes shapes{is_seen ? 0 : registers, shape, count, vertices, matrix, ctx.proposed.unit_far_end()};
+    const bool draws = !is_seen && draws_fragments(ctx);
     if (draws && !ShapeRun::serves(ctx, registers, framebuffer)) {
         return draw_one_by_one(ctx, shapes, query.records);
     }
