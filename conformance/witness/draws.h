@@ -51,6 +51,8 @@ class Draw {
     void issue_triangle(int index) const;
 
     const Pipeline& pipeline() const { return *pipeline_; }
+    // A pixel rectangle or a bitmap.
+    bool is_of_pixels() const { return entry_ >= Entry::kDrawPixels; }
     const Settings& settings() const { return settings_; }
     std::string description() const;
 

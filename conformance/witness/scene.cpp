@@ -93,8 +93,13 @@ void Scene::play(const Draw& draw) const {
     draw.issue();
 }
 
+// Softpipe blends in floats until the framebuffer changes, and the unit may change it between two draws: so
+// everybody does, or colours would differ by a step.
 void Scene::play_all() const {
-    for (const Draw& draw : draws_) play(draw);
+    for (const Draw& draw : draws_) {
+        target_.leave_for_a_moment();
+        play(draw);
+    }
 }
 
 bool Scene::may_leave_nearest_depth() const {
@@ -107,6 +112,11 @@ bool Scene::may_leave_projected_hits() const {
     return std::any_of(draws_.begin(), draws_.end(), [this](const Draw& draw) {
         return conformance::may_leave_projected_hits(draw.pipeline(), target_.has_stencil());
     });
+}
+
+bool Scene::may_leave_marks() const {
+    const bool is_multisampled = kTargetKinds[static_cast<std::size_t>(kind_)].samples != 0;
+    return is_multisampled && std::ranges::any_of(draws_, &Draw::is_of_pixels);
 }
 
 std::string Scene::description() const {

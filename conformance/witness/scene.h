@@ -30,6 +30,7 @@ class Scene {
     // Whether the extension's text lets a register be undetermined here.
     bool may_leave_nearest_depth() const;
     bool may_leave_projected_hits() const;
+    bool may_leave_marks() const;  // nearest depth and screen box
 
     std::string description() const;
 
