@@ -244,8 +244,10 @@ Rect PrivateCopy::reachable(Context& ctx) const {
     ctx.real->glGetIntegerv(GL_SCISSOR_BOX, box);
     // llvmpipe draws samples of pixels that lie beside the rectangle.
     const GLint margin = shape.samples != 0 ? 1 : 0;
-    return clipped({box[0] - margin, box[1] - margin, box[2] + 2 * margin, box[3] + 2 * margin}, shape.width,
-                   shape.height);
+    const auto grown = [margin](GLint size) { return std::min(size, 1 << 30) + 2 * margin; };
+    return clipped({std::max(box[0], -(1 << 30)) - margin, std::max(box[1], -(1 << 30)) - margin,
+                    grown(box[2]), grown(box[3])},
+                   shape.width, shape.height);
 }
 
 std::optional<Record> PrivateCopy::read(Context& ctx, SavedState& saved, const MarkingPlan& plan,

@@ -114,6 +114,11 @@ class Marking {
         if (!can_copy) return run_.give_up(kMarks);
         info_ = draw_framebuffer_info(ctx_);
         if (!info_.is_complete) return;
+        // Where a pixel's samples are not drawn one by one, llvmpipe colours those too that fail the depth
+        // test.
+        const bool draws_pixels =
+            kind_ == DrawKind::kPixels || ctx_.real->glIsEnabled(GL_MULTISAMPLE) == GL_FALSE;
+        if (info_.samples != 0 && draws_pixels) return run_.give_up(kMarks);
         plan_ = plan_marking(info_, tests_, wanted_, run_.far_end());
         if (!plan_.can_tell_depth) run_.give_up(GL_NEAREST_DEPTH_BIT_EMU);
         copies_ = plan_.can_mark && !plan_.marks_nothing && run_.wants(kMarks);
