@@ -93,11 +93,11 @@ void Scene::play(const Draw& draw) const {
     draw.issue();
 }
 
-// Softpipe blends in floats until the framebuffer changes, and the unit may change it between two draws: so
-// everybody does, or colours would differ by a step.
+// Softpipe blends in floats until it is flushed, as it is where the unit draws elsewhere in between: so
+// everybody flushes, or colours would differ by a step.
 void Scene::play_all() const {
     for (const Draw& draw : draws_) {
-        target_.leave_for_a_moment();
+        glFlush();
         play(draw);
     }
 }

@@ -137,13 +137,6 @@ std::size_t Target::pixel_of(std::size_t sample) const {
     return sample / static_cast<std::size_t>(samples()) % pixels;
 }
 
-void Target::leave_for_a_moment() const {
-    if (whole_ == 0) return;
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glClear(GL_COLOR_BUFFER_BIT);
-    bind();
-}
-
 void Target::bind_layer(int layer) const {
     glBindFramebuffer(GL_FRAMEBUFFER,
                       is_layered() ? single_layers_[static_cast<std::size_t>(layer)] : whole_);

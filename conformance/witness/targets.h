@@ -61,8 +61,6 @@ class Target {
     // For drawing and reading; of a layered target all layers, or one.
     void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, whole_); }
     void bind_layer(int layer) const;
-    // Draws elsewhere and comes back.
-    void leave_for_a_moment() const;
 
     // Leaves the state neutral and the whole target bound.
     Buffers read(bool with_colour) const;
