@@ -48,6 +48,8 @@ class UnitRun final : public PendingRecords {
     // True while <registers>, or some of them, are armed and still exact.
     bool wants(GLbitfield registers) const { return (armed_ & determined_ & registers) != 0; }
     GLbitfield wanted(GLbitfield registers) const { return armed_ & determined_ & registers; }
+    // True where the unit's own queries count the visible hits.
+    bool counts_visible() const { return !watches() && wants(GL_VISIBLE_BIT_EMU | GL_VISIBLE_HITS_BIT_EMU); }
     // From here on <registers> cannot be told exactly.
     void give_up(GLbitfield registers) { determined_ &= ~registers; }
 

@@ -19,6 +19,7 @@ namespace {
 
 constexpr GLbitfield kProjected = GL_PROJECTED_HITS_BIT_EMU;
 constexpr GLbitfield kVisible = GL_VISIBLE_BIT_EMU | GL_VISIBLE_HITS_BIT_EMU;
+constexpr GLbitfield kThrownAway = GL_SCREEN_BOX_BIT_EMU;  // no register that counts
 constexpr GLbitfield kMarks = GL_NEAREST_DEPTH_BIT_EMU | GL_SCREEN_BOX_BIT_EMU;
 
 // NV_occlusion_query, issues: samples are counted "even if GL_MULTISAMPLE is disabled"; Mesa counts pixels
@@ -81,7 +82,13 @@ class Marking {
         if (copies_ && !ctx_.private_copy.take(ctx_, info_, marks_format_)) return run_.give_up(kMarks);
         if (copies_) {
             const Repetition repetition(ctx_, kind_);
-            const auto marks = ctx_.private_copy.mark(ctx_, tests_, plan_, run_.far_end(), call);
+            const auto draw = [&] {
+                // Softpipe interpolates depths of 16 bits otherwise while nothing counts.
+                run_.count_for(ctx_, run_.counts_visible() ? kThrownAway : 0, 1);
+                call();
+                run_.close_segment(ctx_);
+            };
+            const auto marks = ctx_.private_copy.mark(ctx_, tests_, plan_, run_.far_end(), draw);
             if (!marks) return run_.give_up(kMarks);
             run_.mark(*marks);
         } else if (proxy_ != nullptr && !is_along_) {
@@ -164,7 +171,7 @@ bool makes_fragments(Context& ctx) {
 void draw_under_unit(Context& ctx, DrawKind kind, DrawCall call) {
     aim_probe(ctx);
     UnitRun& run = *ctx.proposed.run;
-    const GLbitfield counts = run.wants(kVisible) && !run.watches() ? GL_VISIBLE_HITS_BIT_EMU : 0;
+    const GLbitfield counts = run.counts_visible() ? GL_VISIBLE_HITS_BIT_EMU : 0;
     if (!run.wants(kProjected | kMarks)) {
         run.count_for(ctx, counts, samples_per_count(ctx));
         return call();
