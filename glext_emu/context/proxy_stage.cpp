@@ -86,6 +86,8 @@ GLint get(Context& ctx, GLenum name) {
 // matter of order.
 bool is_free_of_order(GLbitfield registers, FarEnd far_end, const FragmentTests& tests) {
     if (tests.stencil_test) return false;  // softpipe's early tests leave it out
+    // There softpipe runs the fragment stage for what fails, too.
+    if (tests.depth_test && tests.depth_func == GL_NEVER) return false;
     const bool writes_depth = tests.depth_test && tests.depth_writes;
     if (!writes_depth || (registers & GL_NEAREST_DEPTH_BIT_EMU) == 0) return true;
     switch (tests.depth_func) {

@@ -183,6 +183,8 @@ GLuint plain_shape_program(Context& ctx) {
 
 bool ShapeRun::serves(Context& ctx, GLbitfield registers, const FramebufferInfo& framebuffer) {
     const UnitStages& stages = unit_stages(ctx);
+    // softpipe, which has no sub-groups, runs early fragment stages for what fails the stencil test, too.
+    if (!stages.has_sub_groups && ctx.real->glIsEnabled(GL_STENCIL_TEST) != GL_FALSE) return false;
     if (framebuffer.samples <= 1) return stages.can_mark;
     const bool needs_depth = framebuffer.depth_bits != 0 && (registers & GL_NEAREST_DEPTH_BIT_EMU) != 0;
     return stages.can_mark && stages.has_sample_stage && !needs_depth;
@@ -215,6 +217,7 @@ void ShapeRun::draw(Context& ctx, const Shapes& shapes, const FramebufferInfo& f
     ctx.real->glGetIntegerv(GL_CULL_FACE_MODE, &culled);
     sides_are_alike_ = shapes.kind != GL_QUAD_EMU && !tests.stencil_test && culled != GL_FRONT_AND_BACK &&
                        ctx.real->glIsEnabled(GL_CULL_FACE) == GL_FALSE;
+    has_visible_ = !(tests.depth_test && tests.depth_func == GL_NEVER && framebuffer.depth_bits != 0);
     hits_tell_projected_ = !tests.depth_can_fail() || framebuffer.depth_bits == 0;
 
     SavedState state(ctx);
@@ -282,8 +285,8 @@ void ShapeRun::draw_sheet(Context& ctx, const Shapes& shapes, const std::vector<
     Sheet& sheet = sheets_.back();
     const auto wants = [this](GLbitfield registers) { return (registers_ & registers) != 0; };
     const unsigned common = is_per_sample_ ? kPerSample : 0;
-    const bool counts_hits =
-        wants(GL_VISIBLE_HITS_BIT_EMU) || (wants(GL_PROJECTED_HITS_BIT_EMU) && hits_tell_projected_);
+    const bool counts_hits = has_visible_ && (wants(GL_VISIBLE_HITS_BIT_EMU) ||
+                                              (wants(GL_PROJECTED_HITS_BIT_EMU) && hits_tell_projected_));
     unsigned visible = 0;
     if (counts_hits) visible |= kNotesHits;
     if (wants(GL_VISIBLE_BIT_EMU) && !counts_hits) visible |= kNotesFlag;
@@ -300,7 +303,7 @@ void ShapeRun::draw_sheet(Context& ctx, const Shapes& shapes, const std::vector<
         real.glUseProgram(program);
         real.glDrawElements(GL_TRIANGLES, indices, GL_UNSIGNED_SHORT, nullptr);
     };
-    if (visible != 0) {
+    if (visible != 0 && has_visible_) {
         if (far_end_ == FarEnd::kZero && (visible & kNotesDepth) != 0) visible |= kFarIsZero;
         run(visible | common);
     }

@@ -79,7 +79,9 @@ class ShapeRun final : public PendingRecords {
     // Where depths are clamped, which is after the fragment stage has looked at them.
     std::array<float, 2> depth_range_ = {0, 1};
     bool is_per_sample_ = false;
-    bool sides_are_alike_ = false;      // a closed shape's front and back faces have as many hits
+    bool sides_are_alike_ = false;  // a closed shape's front and back faces have as many hits
+    // False where no fragment passes: softpipe runs the fragment stage for such ones all the same.
+    bool has_visible_ = true;
     bool hits_tell_projected_ = false;  // every fragment passes the depth test
     GLuint samples_per_fragment_ = 1;
     GLsync fence_ = nullptr;
