@@ -29,6 +29,9 @@ class Machine : public ::testing::Environment {
     // Softpipe makes other fragments of one line or point from time to time, by the state of depth and
     // stencil: where drawing the same twice does not do the same, nothing can be compared.
     bool repeats_lines = true;
+    // Softpipe writes the colour of a fragment into another layer than its depth, where primitives of several
+    // layers meet in one draw.
+    bool layers_agree = true;
     bool has_unit = false;
     bool has_regions = false;
     Determinacy determinacy;

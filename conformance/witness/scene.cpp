@@ -25,12 +25,18 @@ Target make_target(Random& random, int kind) {
     return Target(chosen, width, height);
 }
 
+int random_kind(Random& random) {
+    for (;;) {
+        const int kind = random.below(static_cast<int>(kTargetKinds.size()));
+        const bool is_layered = kTargetKinds[static_cast<std::size_t>(kind)].layers != 0;
+        if (!is_layered || machine().layers_agree) return kind;
+    }
+}
+
 }  // namespace
 
 Scene::Scene(std::uint64_t seed)
-    : random_(seed),
-      kind_(random_.below(static_cast<int>(kTargetKinds.size()))),
-      target_(make_target(random_, kind_)) {
+    : random_(seed), kind_(random_kind(random_)), target_(make_target(random_, kind_)) {
     const bool is_reversed = random_.chance(20);
     far_end_ = is_reversed ? GL_ZERO : GL_ONE;
     cleared_depth_ = is_reversed ? 0.0f : 1.0f;
