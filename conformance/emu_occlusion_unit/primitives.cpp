@@ -169,11 +169,14 @@ TEST_F(UnitPrimitives, clears_and_blits_are_not_seen) {
 TEST_F(UnitPrimitives, feedback_and_selection_are_not_seen) {
     std::array<GLfloat, 64> values{};
     glFeedbackBuffer(64, GL_3D, values.data());
-    expect_seen({}, [] {
+    const auto told = [] {
         glRenderMode(GL_FEEDBACK);
         draw_half_hidden();
-        EXPECT_EQ(glRenderMode(GL_RENDER), 2 + 4 * 3) << "one polygon of four corners, once";
-    });
+        return glRenderMode(GL_RENDER);
+    };
+    const GLint without = told();
+    EXPECT_GE(without, 2 + 4 * 3) << "a polygon of four corners, or what the driver makes of it";
+    expect_seen({}, [&] { EXPECT_EQ(told(), without) << "once"; });
     std::array<GLuint, 64> hits{};
     glSelectBuffer(64, hits.data());
     expect_seen(kHalfHidden, [] {
