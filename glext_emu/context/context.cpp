@@ -86,7 +86,7 @@ OwnCalls::~OwnCalls() {
     // A lost context repeats its error for ever.
     for (int i = 0; i < 8 && ctx_.real->glGetError() != GL_NO_ERROR; ++i) {
     }
-    ctx_.update_hot();
+    if (ctx_.pending_error != GL_NO_ERROR) ctx_.update_hot();
 }
 
 }  // namespace glext_emu

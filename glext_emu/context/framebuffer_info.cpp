@@ -149,7 +149,11 @@ FramebufferInfo framebuffer_object(Context& ctx, GLuint framebuffer) {
 }  // namespace
 
 FramebufferInfo draw_framebuffer_info(Context& ctx) {
-    const auto framebuffer = static_cast<GLuint>(get(ctx, GL_DRAW_FRAMEBUFFER_BINDING));
+    constexpr GLint kNoName = -1;
+    GLint bound = kNoName;
+    ctx.real->glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    if (bound == kNoName) return {.is_between_begin_and_end = true};
+    const auto framebuffer = static_cast<GLuint>(bound);
     // Nothing is asked then that could be in error, and looking for one takes time.
     if (framebuffer == 0 && ctx.draw_surface.has_format) return default_framebuffer(ctx);
     const OwnCalls own(ctx);

@@ -19,6 +19,8 @@ struct FramebufferInfo {
     bool has_float_depth = false;
     GLint stencil_bits = 0;
     bool is_default = false;
+    bool is_between_begin_and_end =
+        false;                 // then nothing can be asked, and the driver notes the question as an error
     bool is_complete = false;  // all else is 0 where it is not
 };
 

@@ -30,6 +30,9 @@ struct Question {
 
 // Nothing where the command is in error, which is raised.
 std::optional<Question> question_of(Context& ctx, GLenum pname, GLsizei count, const GLint* rectangles) {
+    const Question question{pname, draw_framebuffer_info(ctx)};
+    const FramebufferInfo& framebuffer = question.framebuffer;
+    if (framebuffer.is_between_begin_and_end) return std::nullopt;  // the driver has raised the error
     const bool is_known =
         pname == GL_REGION_OCCLUDED_EMU || pname == GL_FURTHEST_DEPTH_EMU || pname == GL_NEAREST_DEPTH_EMU;
     if (!is_known) return ctx.raise(GL_INVALID_ENUM), std::nullopt;
@@ -38,8 +41,6 @@ std::optional<Question> question_of(Context& ctx, GLenum pname, GLsizei count, c
         const GLint* const size = rectangles + 4 * i + 2;
         if (size[0] < 0 || size[1] < 0) return ctx.raise(GL_INVALID_VALUE), std::nullopt;
     }
-    const Question question{pname, draw_framebuffer_info(ctx)};
-    const FramebufferInfo& framebuffer = question.framebuffer;
     if (!framebuffer.is_complete) return ctx.raise(GL_INVALID_FRAMEBUFFER_OPERATION), std::nullopt;
     if (framebuffer.depth_bits == 0) return ctx.raise(GL_INVALID_OPERATION), std::nullopt;
     std::vector<Rect>& rects = ctx.depth_reader.rects;

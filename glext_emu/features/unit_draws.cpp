@@ -100,9 +100,11 @@ class Marking {
             proxy_->end_draw(ctx_);
         }
     }
+    // True where the draw itself runs the stage that marks.
+    bool runs_along() const { return proxy_ != nullptr && is_along_; }
     // The draw itself.
     void draw(DrawCall call) {
-        if (proxy_ == nullptr || !is_along_) return call();
+        if (!runs_along()) return call();
         proxy_->begin_draw(ctx_);
         call();
         proxy_->end_draw(ctx_);
@@ -145,13 +147,36 @@ class Marking {
     MarkingPlan plan_;
 };
 
-// The draw once more, counted without depth test and without a trace.
-void count_projected(Context& ctx, UnitRun& run, const FragmentTests& tests, DrawKind kind, DrawCall call) {
+// The function that passes where <func> fails.
+GLenum opposite(GLenum func) {
+    switch (func) {
+        case GL_LESS:
+            return GL_GEQUAL;
+        case GL_LEQUAL:
+            return GL_GREATER;
+        case GL_GREATER:
+            return GL_LEQUAL;
+        case GL_GEQUAL:
+            return GL_LESS;
+        case GL_EQUAL:
+            return GL_NOTEQUAL;
+        default:
+            return GL_EQUAL;
+    }
+}
+
+// The draw once more, counted without a trace: all of it without depth test, or what the depth test hides.
+void count_projected(Context& ctx, UnitRun& run, const FragmentTests& tests, DrawKind kind,
+                     bool is_hidden_only, DrawCall call) {
     if (!can_repeat(ctx, kind)) return run.give_up(kProjected);
     const Repetition repetition(ctx, kind);
     SavedState saved(ctx);
     saved.write_nothing();
-    if (tests.depth_test) saved.set(GL_DEPTH_TEST, false);
+    if (is_hidden_only) {
+        saved.depth_func(opposite(tests.depth_func));
+    } else if (tests.depth_test) {
+        saved.set(GL_DEPTH_TEST, false);
+    }
     run.count_for(ctx, kProjected, samples_per_count(ctx));
     call();
     run.close_segment(ctx);
@@ -186,8 +211,12 @@ void draw_under_unit(Context& ctx, DrawKind kind, DrawCall call) {
     const bool counts_projected = run.wants(kProjected);
     Marking marking(ctx, run, tests, kind);
     marking.before(call);
-    if (counts_projected && !counts_along) count_projected(ctx, run, tests, kind, call);
-    run.count_for(ctx, counts | (counts_projected && counts_along ? kProjected : 0), samples_per_count(ctx));
+    // Of fixed function that writes nothing, what is visible and what is hidden are all there is, and early
+    // depth tests make short work of one of them.
+    const bool counts_hidden = marking.runs_along() && !run.watches() && tests.depth_func != GL_NEVER;
+    if (counts_projected && !counts_along) count_projected(ctx, run, tests, kind, counts_hidden, call);
+    const bool draw_is_projected = run.wants(kProjected) && (counts_along || counts_hidden);
+    run.count_for(ctx, counts | (draw_is_projected ? kProjected : 0), samples_per_count(ctx));
     marking.draw(call);
 }
 

@@ -22,7 +22,7 @@ LOOKS_LIKE_DRAW_OR_QUERY = re.compile(
 SUPPLIED = {"nvquery", "nvxrender", "instrument", "visibility", "fardepth", "region", "unit"}
 
 # Classes whose commands may stand between Begin and End, or look for themselves whether they do.
-UNGUARDED = {"immediate", "call", "enable", "get"}
+UNGUARDED = {"immediate", "call", "enable", "get", "region"}
 
 BANNER = "// Generated from the registries and hooks.list. Do not edit.\n"
 
