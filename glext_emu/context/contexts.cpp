@@ -13,6 +13,7 @@
 #include "context/refusals.h"
 #include "context/report.h"
 #include "context/settings.h"
+#include "context/unit_run.h"
 
 namespace glext_emu {
 namespace {
@@ -148,8 +149,9 @@ void initialise(Context& ctx) {
     ctx.emulates_visibility_test = ctx.kind.is_compatibility() && device.emulates("GL_HP_visibility_test");
     ctx.known_instruments = known_instruments(ctx, device);
     ctx.emulates_nvx_render = ctx.kind.is_compatibility() && device.emulates("GL_NVX_conditional_render");
-    // They are written against desktop GL of any profile; what answers them needs framebuffer objects.
-    const bool can_propose = !ctx.kind.is_es && ctx.kind.version >= GlVersion{3, 0};
+    // They are written against desktop GL of any profile; what answers them names framebuffers and buffers
+    // directly.
+    const bool can_propose = !ctx.kind.is_es && ctx.kind.has_named_buffers;
     ctx.emulates_regions = can_propose && device.emulates("GL_EMU_depth_region_query");
     ctx.emulates_unit = can_propose && device.emulates("GL_EMU_occlusion_unit");
     ctx.advertised = advertise(ctx, device);
@@ -200,10 +202,13 @@ void context_leaves_thread() {
     // A context that is destroyed with a query still active crashes llvmpipe, whose rasteriser writes into
     // it; the program knows of no query, so it is not the one to blame. The next draw opens another segment.
     Context* const ctx = current.context;
-    if (ctx != nullptr && ctx->probe.is_wanted && !ctx->is_between_begin_and_end()) settle_probes(*ctx);
-    if (ctx == nullptr || ctx->slot.open_segment == 0 || ctx->is_between_begin_and_end()) return;
+    if (ctx == nullptr) return;
+    const bool has_active = ctx->slot.open_segment != 0 || ctx->proposed.run != nullptr;
+    if (!(has_active || ctx->probe.is_wanted) || ctx->is_between_begin_and_end()) return;
+    if (ctx->probe.is_wanted) settle_probes(*ctx);
     const ListPause pause(*ctx);
     close_segment(*ctx);
+    if (ctx->proposed.run != nullptr) ctx->proposed.run->close_segment(*ctx);
 }
 
 void context_made_current(const char* platform, const RealGl& real, const void* handle) {
