@@ -33,4 +33,25 @@ FragmentTests read_fragment_tests(Context& ctx) {
     return tests;
 }
 
+GLenum opposite_depth_func(GLenum func) {
+    switch (func) {
+        case GL_NEVER:
+            return GL_ALWAYS;
+        case GL_LESS:
+            return GL_GEQUAL;
+        case GL_EQUAL:
+            return GL_NOTEQUAL;
+        case GL_LEQUAL:
+            return GL_GREATER;
+        case GL_GREATER:
+            return GL_LEQUAL;
+        case GL_NOTEQUAL:
+            return GL_EQUAL;
+        case GL_GEQUAL:
+            return GL_LESS;
+        default:
+            return GL_NEVER;  // of ALWAYS
+    }
+}
+
 }  // namespace glext_emu

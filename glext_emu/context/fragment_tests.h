@@ -40,4 +40,7 @@ struct FragmentTests {
 
 FragmentTests read_fragment_tests(Context& ctx);
 
+// The depth function that passes where <func>, one of GL's eight, fails.
+GLenum opposite_depth_func(GLenum func);
+
 }  // namespace glext_emu

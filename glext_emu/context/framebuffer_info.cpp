@@ -41,6 +41,11 @@ GLint sample_count(const Context& ctx) {
     return get(ctx, GL_SAMPLE_BUFFERS) != 0 ? get(ctx, GL_SAMPLES) : 0;
 }
 
+GLuint samples_per_pixel(const Context& ctx) {
+    const GLint samples = get(ctx, GL_SAMPLES);
+    return samples > 1 ? static_cast<GLuint>(samples) : 1;
+}
+
 // A window may be resized at any time, but drivers follow at these times only, and an X server is 20 us away.
 DrawSurface::Size surface_size(Context& ctx) {
     DrawSurface& surface = ctx.draw_surface;
@@ -158,6 +163,14 @@ FramebufferInfo draw_framebuffer_info(Context& ctx) {
     if (framebuffer == 0 && ctx.draw_surface.has_format) return default_framebuffer(ctx);
     const OwnCalls own(ctx);
     return framebuffer == 0 ? default_framebuffer(ctx) : framebuffer_object(ctx, framebuffer);
+}
+
+GLuint samples_per_count(Context& ctx) {
+    return ctx.real->glIsEnabled(GL_MULTISAMPLE) != GL_FALSE ? 1 : samples_per_pixel(ctx);
+}
+
+GLuint samples_per_fragment(Context& ctx) {
+    return ctx.real->glIsEnabled(GL_MULTISAMPLE) != GL_FALSE ? samples_per_pixel(ctx) : 1;
 }
 
 }  // namespace glext_emu

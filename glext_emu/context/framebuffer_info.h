@@ -28,4 +28,14 @@ struct FramebufferInfo {
 // over: when the context was made current, buffers were swapped or the program changed its viewport.
 FramebufferInfo draw_framebuffer_info(Context& ctx);
 
+// What one count of the driver's samples query stands for, with the present MULTISAMPLE and draw framebuffer,
+// in samples. NV_occlusion_query, issues: samples are counted "even if GL_MULTISAMPLE is disabled but
+// GL_SAMPLE_BUFFERS is 1"; Mesa counts pixels then.
+GLuint samples_per_count(Context& ctx);
+
+// How many of the driver's counts make a fragment, of which every sample passes. SGIX_depth_pass_instrument:
+// with multisampling "the counter is incremented by one for each fragment containing at least one sample for
+// which the depth test passed"; the driver counts samples then, and pixels without.
+GLuint samples_per_fragment(Context& ctx);
+
 }  // namespace glext_emu

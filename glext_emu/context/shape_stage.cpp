@@ -100,25 +100,6 @@ GLuint shape_program(Context& ctx, unsigned what) {
     return program->second;
 }
 
-GLenum opposite(GLenum func) {
-    switch (func) {
-        case GL_LESS:
-            return GL_GEQUAL;
-        case GL_LEQUAL:
-            return GL_GREATER;
-        case GL_GREATER:
-            return GL_LEQUAL;
-        case GL_GEQUAL:
-            return GL_LESS;
-        case GL_EQUAL:
-            return GL_NOTEQUAL;
-        case GL_NOTEQUAL:
-            return GL_EQUAL;
-        default:
-            return GL_ALWAYS;  // of NEVER
-    }
-}
-
 GLint get(Context& ctx, GLenum name) {
     GLint value = 0;
     ctx.real->glGetIntegerv(name, &value);
@@ -314,7 +295,7 @@ void ShapeRun::draw_sheet(Context& ctx, const Shapes& shapes, const std::vector<
         sheet.has_halves = sides_are_alike_ && sheet.is_whole;
         sheet.counts_all = sheet.has_halves || !counts_hits;
         if (sheet.has_halves) real.glEnable(GL_CULL_FACE);
-        real.glDepthFunc(sheet.counts_all ? GL_ALWAYS : opposite(tests.depth_func));
+        real.glDepthFunc(sheet.counts_all ? GL_ALWAYS : opposite_depth_func(tests.depth_func));
         run(kNotesHidden | common);
         if (sheet.has_halves) real.glDisable(GL_CULL_FACE);
         real.glDepthFunc(tests.depth_func);

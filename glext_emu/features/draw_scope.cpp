@@ -2,6 +2,7 @@
 // What happens around a draw: the HP test's segment is opened when the first draw needs it, so that enabling
 // the test costs nothing; the report counts; and what the Occlusion Unit watches is drawn in a way that can
 // be repeated.
+#include "context/framebuffer_info.h"
 #include "context/unit_run.h"
 #include "features/features.h"
 #include "features/list_recorder.h"
@@ -15,25 +16,6 @@ void count_draw(Context& ctx, Triangles triangles) {
     ctx.frame.draws++;
     ctx.frame.triangles += triangles.count;
     ctx.frame.triangles_are_known = ctx.frame.triangles_are_known && triangles.is_known;
-}
-
-// NV_occlusion_query, issues: samples are counted "even if GL_MULTISAMPLE is disabled but GL_SAMPLE_BUFFERS
-// is 1"; Mesa counts pixels then.
-GLuint samples_per_count(Context& ctx) {
-    if (ctx.real->glIsEnabled(GL_MULTISAMPLE) != GL_FALSE) return 1;
-    GLint samples = 0;
-    ctx.real->glGetIntegerv(GL_SAMPLES, &samples);
-    return samples > 1 ? static_cast<GLuint>(samples) : 1;
-}
-
-// SGIX_depth_pass_instrument: with multisampling "the counter is incremented by one for each fragment
-// containing at least one sample for which the depth test passed"; the driver counts samples then, and pixels
-// without.
-GLuint samples_per_fragment(Context& ctx) {
-    if (ctx.real->glIsEnabled(GL_MULTISAMPLE) == GL_FALSE) return 1;
-    GLint samples = 0;
-    ctx.real->glGetIntegerv(GL_SAMPLES, &samples);
-    return samples > 1 ? static_cast<GLuint>(samples) : 1;
 }
 
 // The modes that Begin accepts; with another it fails and no Begin/End pair is open.

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "context/fragment_tests.h"
+#include "context/framebuffer_info.h"
 #include "context/private_copy.h"
 #include "context/proxy_stage.h"
 #include "context/repetition.h"
@@ -21,15 +22,6 @@ constexpr GLbitfield kProjected = GL_PROJECTED_HITS_BIT_EMU;
 constexpr GLbitfield kVisible = GL_VISIBLE_BIT_EMU | GL_VISIBLE_HITS_BIT_EMU;
 constexpr GLbitfield kThrownAway = GL_SCREEN_BOX_BIT_EMU;  // no register that counts
 constexpr GLbitfield kMarks = GL_NEAREST_DEPTH_BIT_EMU | GL_SCREEN_BOX_BIT_EMU;
-
-// NV_occlusion_query, issues: samples are counted "even if GL_MULTISAMPLE is disabled"; Mesa counts pixels
-// then.
-GLuint samples_per_count(Context& ctx) {
-    if (ctx.real->glIsEnabled(GL_MULTISAMPLE) != GL_FALSE) return 1;
-    GLint samples = 0;
-    ctx.real->glGetIntegerv(GL_SAMPLES, &samples);
-    return samples > 1 ? static_cast<GLuint>(samples) : 1;
-}
 
 // What is copied and read back lies in one scissor rectangle.
 bool has_one_scissor(Context& ctx) {
@@ -147,24 +139,6 @@ class Marking {
     MarkingPlan plan_;
 };
 
-// The function that passes where <func> fails.
-GLenum opposite(GLenum func) {
-    switch (func) {
-        case GL_LESS:
-            return GL_GEQUAL;
-        case GL_LEQUAL:
-            return GL_GREATER;
-        case GL_GREATER:
-            return GL_LEQUAL;
-        case GL_GEQUAL:
-            return GL_LESS;
-        case GL_EQUAL:
-            return GL_NOTEQUAL;
-        default:
-            return GL_EQUAL;
-    }
-}
-
 // The draw once more, counted without a trace: all of it without depth test, or what the depth test hides.
 void count_projected(Context& ctx, UnitRun& run, const FragmentTests& tests, DrawKind kind,
                      bool is_hidden_only, DrawCall call) {
@@ -173,7 +147,7 @@ void count_projected(Context& ctx, UnitRun& run, const FragmentTests& tests, Dra
     SavedState saved(ctx);
     saved.write_nothing();
     if (is_hidden_only) {
-        saved.depth_func(opposite(tests.depth_func));
+        saved.depth_func(opposite_depth_func(tests.depth_func));
     } else if (tests.depth_test) {
         saved.set(GL_DEPTH_TEST, false);
     }
