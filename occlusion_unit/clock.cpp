@@ -29,6 +29,7 @@ constexpr Name kNames[] = {
 
 std::optional<Latency> Latency::parse(std::string_view text) {
     if (text == "none") return Latency{};
+    if (text == "device") return Latency{ClockKind::kDevice};
     const auto equals = text.find('=');
     if (equals == std::string_view::npos) return std::nullopt;
     const auto name = std::ranges::find(kNames, text.substr(0, equals), &Name::text);
@@ -44,6 +45,7 @@ std::optional<Latency> Latency::parse(std::string_view text) {
 }
 
 std::string Latency::text() const {
+    if (kind == ClockKind::kDevice) return "device";
     const auto name = std::ranges::find(kNames, kind, &Name::kind);
     if (name == std::end(kNames)) return "none";
     return std::string(name->text) + "=" + std::to_string(amount);
@@ -58,6 +60,7 @@ Tick Clock::now() const {
         case ClockKind::kFrames:
             return frames_;
         case ClockKind::kNone:
+        case ClockKind::kDevice:
             break;
     }
     return 0;
@@ -72,7 +75,20 @@ void Clock::count_swap() {
     polls_since_swap_ = 0;
 }
 
+Tick Clock::due() {
+    return latest_due_ = is_device() ? device_->end_query() : now() + span();
+}
+
+bool Clock::reached(Tick due) const {
+    return is_device() ? device_->has_come(due) : now() >= due;
+}
+
+Tick Clock::latest_due() const {
+    return is_device() ? device_->last_ticket() : latest_due_;
+}
+
 bool Clock::poll(Tick due) {
+    if (is_device()) return device_->poll(due);
     if (latency_.kind == ClockKind::kFrames && ++polls_since_swap_ == kPollsPerFrame) {
         ++frames_;
         polls_since_swap_ = 0;
@@ -81,6 +97,7 @@ bool Clock::poll(Tick due) {
 }
 
 void Clock::wait_until(Tick due) {
+    if (is_device()) return device_->wait_for(due);
     if (reached(due)) return;
     if (latency_.kind == ClockKind::kCalls) {
         calls_ = due;
@@ -95,6 +112,7 @@ void Clock::wait_until(Tick due) {
 }
 
 bool Clock::wait_for(Tick due, std::uint64_t most_ns) {
+    if (is_device()) return device_->wait_for(due, most_ns);
     // So long that the sum does not overflow: no latency comes near a century.
     constexpr std::uint64_t kForEver = std::uint64_t{3'000'000'000} * 1'000'000'000;
     const bool is_long_enough =

@@ -2,6 +2,7 @@
 #include "context/device.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <span>
 
@@ -76,6 +77,22 @@ class Reader {
         }
     }
 
+    // A number from <low> to <high>, times <scale>, rounded.
+    void number(std::string_view key, double low, double high, double scale, std::int64_t& out) {
+        if (const auto value = number(key, low, high)) out = std::llround(*value * scale);
+    }
+
+    std::optional<double> number(std::string_view key, double low, double high) {
+        const toml::node* node = table_.get(key);
+        if (node == nullptr) return std::nullopt;
+        const auto value = node->is_number() ? node->value<double>() : std::nullopt;
+        if (value && *value >= low && *value <= high) return value;
+        char range[96];
+        std::snprintf(range, sizeof range, "` is not a number from %g to %g", low, high);
+        complain(line(*node), "`" + std::string(key) + range);
+        return std::nullopt;
+    }
+
     void extensions(std::string_view key, std::vector<std::string>& out) {
         const toml::node* node = table_.get(key);
         if (node == nullptr) return;
@@ -123,6 +140,94 @@ std::optional<GlVersion> parse_version(std::string_view text) {
     return version;
 }
 
+using occlusion_unit::Profile;
+
+// The keys of [time], each with what a unit of it is in that of the profile.
+struct TimeKey {
+    std::string_view key;
+    std::int64_t Profile::*member;
+    enum class Kind { kSpan, kEach, kRate, kSize } kind;
+};
+constexpr double kPicosecondsPerMicrosecond = 1e6;
+constexpr double kFemtosecondsPerNanosecond = 1e6;
+constexpr double kFemtosecondsPerSecond = 1e15;
+constexpr double kBytesPerMegabyte = 1 << 20;
+constexpr TimeKey kTimeKeys[] = {
+    {"swap_us", &Profile::swap, TimeKey::Kind::kSpan},
+    {"batch_us", &Profile::batch, TimeKey::Kind::kSpan},
+    {"query_us", &Profile::query, TimeKey::Kind::kSpan},
+    {"poll_us", &Profile::poll, TimeKey::Kind::kSpan},
+    {"read_us", &Profile::read, TimeKey::Kind::kSpan},
+    {"copied_triangle_ns", &Profile::copied_triangle, TimeKey::Kind::kEach},
+    {"gpu_batch_us", &Profile::gpu_batch, TimeKey::Kind::kSpan},
+    {"triangles_per_second", &Profile::triangle, TimeKey::Kind::kRate},
+    {"fragments_per_second", &Profile::fragment, TimeKey::Kind::kRate},
+    {"depth_fragments_per_second", &Profile::depth_fragment, TimeKey::Kind::kRate},
+    {"cleared_pixels_per_second", &Profile::cleared_pixel, TimeKey::Kind::kRate},
+    {"swapped_pixels_per_second", &Profile::swapped_pixel, TimeKey::Kind::kRate},
+    {"gpu_query_us", &Profile::gpu_query, TimeKey::Kind::kSpan},
+    {"result_latency_us", &Profile::result_latency, TimeKey::Kind::kSpan},
+    {"region_pixels_per_second", &Profile::region_pixel, TimeKey::Kind::kRate},
+    {"fifo_us", &Profile::fifo, TimeKey::Kind::kSpan},
+    {"read_pixels_per_second", &Profile::read_pixel, TimeKey::Kind::kRate},
+    {"video_memory_mb", &Profile::video_memory, TimeKey::Kind::kSize},
+};
+
+void read_time_key(Reader& time, const TimeKey& key, Profile& profile) {
+    constexpr double kHourUs = 3.6e9;
+    std::int64_t& out = profile.*key.member;
+    switch (key.kind) {
+        case TimeKey::Kind::kSpan:
+            return time.number(key.key, 0, kHourUs, kPicosecondsPerMicrosecond, out);
+        case TimeKey::Kind::kEach:
+            return time.number(key.key, 0, 1e9, kFemtosecondsPerNanosecond, out);
+        case TimeKey::Kind::kRate:
+            if (const auto rate = time.number(key.key, 1, 1e15))
+                out = std::llround(kFemtosecondsPerSecond / *rate);
+            return;
+        case TimeKey::Kind::kSize:
+            return time.number(key.key, 0, 1e7, kBytesPerMegabyte, out);
+    }
+}
+
+// The time of the built-in device <name>, which other devices may build on.
+std::optional<MachineTime> time_of_builtin(std::string_view name);
+
+void read_time(const toml::table& table, std::string_view file, bool may_have_base, Device& device,
+               std::string& error) {
+    Reader time(table, file, error);
+    static const std::vector<std::string_view> known = [] {
+        std::vector<std::string_view> keys = {"source", "quality", "base"};
+        for (const TimeKey& key : kTimeKeys) keys.push_back(key.key);
+        return keys;
+    }();
+    time.allow_only(known);
+
+    MachineTime machine;
+    std::string base;
+    time.string("base", base, false);
+    if (!base.empty()) {
+        const auto found = may_have_base ? time_of_builtin(base) : std::nullopt;
+        if (found) {
+            machine = *found;
+        } else {
+            time.complain(time.line_of("base"),
+                          "`base` does not name a built-in device that has a [time] without a base");
+        }
+    }
+    time.string("source", machine.source, true);
+    time.string("quality", machine.quality, true);
+    static constexpr std::string_view kQualities[] = {"fitted", "indicative", "assumed"};
+    if (error.empty() && std::ranges::find(kQualities, machine.quality) == std::end(kQualities)) {
+        time.complain(time.line_of("quality"), "`quality` is none of " + quoted_list(kQualities));
+    }
+    for (const TimeKey& key : kTimeKeys) read_time_key(time, key, machine.profile);
+    // A program that polls until a result is there has to come to an end.
+    if (error.empty() && machine.profile.poll <= 0)
+        time.complain(time.line_of("poll_us"), "`poll_us` is zero, so polling would take for ever");
+    device.time = std::move(machine);
+}
+
 }  // namespace
 
 bool Device::emulates(std::string_view extension) const {
@@ -143,7 +248,9 @@ std::vector<std::string_view> builtin_device_names() {
     return names;
 }
 
-DeviceOrError parse_device(std::string_view text, std::string_view file) {
+namespace {
+
+DeviceOrError parse(std::string_view text, std::string_view file, bool may_have_base) {
     DeviceOrError result;
     const toml::parse_result parsed = toml::parse(text, file);
     if (!parsed) {
@@ -154,8 +261,9 @@ DeviceOrError parse_device(std::string_view text, std::string_view file) {
 
     Device device;
     Reader root(parsed.table(), file, result.error);
-    static constexpr std::string_view kRootKeys[] = {
-        "name", "description", "source", "year", "gl_version", "extensions", "query", "unit", "region"};
+    static constexpr std::string_view kRootKeys[] = {"name",       "description", "source", "year",
+                                                     "gl_version", "extensions",  "query",  "unit",
+                                                     "region",     "time"};
     root.allow_only(kRootKeys);
     root.string("name", device.name, true);
     root.string("description", device.description, true);
@@ -207,12 +315,28 @@ DeviceOrError parse_device(std::string_view text, std::string_view file) {
     }
     if (const toml::table* table = root.table("region")) {
         Reader region(*table, file, result.error);
-        static constexpr std::string_view kKeys[] = {"max_regions"};
+        static constexpr std::string_view kKeys[] = {"max_regions", "depth_bits"};
         region.allow_only(kKeys);
         region.integer("max_regions", 1, 65536, device.max_regions);
+        region.integer("depth_bits", 1, 32, device.region_depth_bits);
     }
+    if (const toml::table* table = root.table("time"))
+        read_time(*table, file, may_have_base, device, result.error);
     if (result.error.empty()) result.device = std::move(device);
     return result;
+}
+
+std::optional<MachineTime> time_of_builtin(std::string_view name) {
+    const auto builtin = std::ranges::find(kBuiltins, name, &Builtin::name);
+    if (builtin == std::end(kBuiltins)) return std::nullopt;
+    const DeviceOrError base = parse(builtin->text, builtin->name, false);
+    return base.device ? base.device->time : std::nullopt;
+}
+
+}  // namespace
+
+DeviceOrError parse_device(std::string_view text, std::string_view file) {
+    return parse(text, file, true);
 }
 
 DeviceOrError load_device(std::string_view name_or_path) {

@@ -8,12 +8,21 @@
 #include <string_view>
 #include <vector>
 
+#include "occlusion_unit/profile.h"
+
 namespace glext_emu {
 
 struct GlVersion {
     int major = 0;
     int minor = 0;
     auto operator<=>(const GlVersion&) const = default;
+};
+
+// A device's time, its table [time].
+struct MachineTime {
+    std::string source;   // where the numbers come from
+    std::string quality;  // "fitted" to published times, "indicative" where few were published, or "assumed"
+    occlusion_unit::Profile profile;
 };
 
 struct Device {
@@ -34,6 +43,9 @@ struct Device {
     std::optional<int> unit_depth_bits;       // of a depth, 1..32
     std::optional<int> unit_report_queue;     // records that wait to be read, 1..65536
     std::optional<int> max_regions;           // depth regions in one call, 1..65536
+    std::optional<int> region_depth_bits;     // of the depth that a region query answers with, 1..32
+
+    std::optional<MachineTime> time;  // without it the device has no clock of its own
 
     bool emulates(std::string_view extension) const;
     bool hides(std::string_view extension) const;

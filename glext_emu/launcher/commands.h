@@ -19,7 +19,11 @@ struct RunOptions {
     std::string device = "native";
     std::string clock = "none";
     std::string report;
-    std::string probe;  // unit; empty: none
+    std::string probe;     // unit; empty: none
+    std::string timeline;  // with the clock `device` only, as the three that follow
+    std::string frames;    // A..B; empty: all
+    std::string without;   // effects, with commas between them
+    bool is_dry = false;
     std::string front;  // seam, vendor or export; empty: what the program's file asks for
     bool is_verbose = false;
     std::vector<std::string> program;  // and its arguments

@@ -115,6 +115,14 @@ Environment environment_for(const RunOptions& options, const std::string& doctor
     std::string settings =
         "device=" + (is_path ? absolute(options.device) : options.device) + ",clock=" + options.clock;
     if (!options.report.empty()) settings += ",report=" + absolute(options.report);
+    if (!options.timeline.empty()) settings += ",timeline=" + absolute(options.timeline);
+    if (!options.frames.empty()) settings += ",frames=" + options.frames;
+    if (!options.without.empty()) {
+        std::string effects = options.without;
+        std::ranges::replace(effects, ',', '+');
+        settings += ",without=" + effects;
+    }
+    if (options.is_dry) settings += ",dry=1";
     if (!options.probe.empty()) {
         if (options.report.empty())
             throw BadUse("--probe writes into the report, so it wants --report FILE.");

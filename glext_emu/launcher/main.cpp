@@ -14,6 +14,7 @@ constexpr const char* kFooter = R"(examples
   glext-emu run -- glxgears                                       the program on this machine's own GL
   glext-emu run --device visualize-fx -- ./my_program             1997: one boolean occlusion test at a time
   glext-emu run --device geforce-fx-5950 --clock wall=50 -- ...   2003: query objects, results 50 us late
+  glext-emu run --device geforce-fx-5950 --clock device --timeline t.json -- ...   what its CPU and GPU did when
   glext-emu run --device mesa --report report.json -- ...         count queries, waits, draws per frame
   glext-emu run --probe unit --report report.json -- ...          what an Occlusion Unit would have told it
   glext-emu run --front vendor -- ...                             as a GLVND vendor library, without a preload
@@ -39,12 +40,25 @@ int main(int argc, char** argv) {
                      "a built-in device (see `glext-emu devices`) or a .toml file")
         ->capture_default_str();
     run_command
-        ->add_option(
-            "--clock", options.clock,
-            "when results may be seen: none, wall=MICROSECONDS, calls=N or frames=N after the query's end")
+        ->add_option("--clock", options.clock,
+                     "when results may be seen: none, wall=MICROSECONDS, calls=N or frames=N after the "
+                     "query's end, or "
+                     "device: in the time of the device itself, which timer queries tell too")
         ->capture_default_str();
     run_command->add_option("--report", options.report,
                             "write queries, waits and draws per frame to this JSON file");
+    run_command->add_option("--timeline", options.timeline,
+                            "with --clock device: write what CPU, FIFO and GPU did when to this file, which "
+                            "ui.perfetto.dev opens");
+    run_command->add_option("--frames", options.frames,
+                            "the frames that the timeline holds: A..B, A.. or A, from 0; by itself all");
+    run_command->add_option("--without", options.without,
+                            "with --clock device: effects to switch off, with commas between them: latency, "
+                            "back-pressure, fill, driver-copy, multisampling, read-cost, starvation, "
+                            "saturation, depth-quantisation");
+    run_command->add_flag("--dry", options.is_dry,
+                          "with --clock device: count draws and do not rasterise them, for programs that "
+                          "decide nothing by pixels");
     run_command->add_option(
         "--probe", options.probe,
         "unit: for each occlusion query of the program, write what the Occlusion Unit would "

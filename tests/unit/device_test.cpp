@@ -27,7 +27,16 @@ constexpr std::string_view kGood =
     "depth_bits = 16\n"
     "report_queue = 8\n"
     "[region]\n"
-    "max_regions = 1\n";
+    "max_regions = 1\n"
+    "depth_bits = 16\n"
+    "[time]\n"
+    "source = \"a data sheet\"\n"
+    "quality = \"assumed\"\n"
+    "batch_us = 17\n"
+    "triangles_per_second = 40e6\n"
+    "copied_triangle_ns = 79.5\n"
+    "video_memory_mb = 2\n"
+    "poll_us = 0.25\n";
 
 std::string replaced(std::string_view from, std::string_view to) {
     std::string text(kGood);
@@ -53,6 +62,17 @@ TEST(Device, a_good_file_is_read_whole) {
     EXPECT_EQ(result.device->unit_depth_bits, 16);
     EXPECT_EQ(result.device->unit_report_queue, 8);
     EXPECT_EQ(result.device->max_regions, 1);
+    EXPECT_EQ(result.device->region_depth_bits, 16);
+    ASSERT_TRUE(result.device->time);
+    EXPECT_EQ(result.device->time->source, "a data sheet");
+    EXPECT_EQ(result.device->time->quality, "assumed");
+    const occlusion_unit::Profile& profile = result.device->time->profile;
+    EXPECT_EQ(profile.batch, 17'000'000);
+    EXPECT_EQ(profile.triangle, 25'000'000);  // femtoseconds
+    EXPECT_EQ(profile.copied_triangle, 79'500'000);
+    EXPECT_EQ(profile.video_memory, 2 << 20);
+    EXPECT_EQ(profile.poll, 250'000);
+    EXPECT_EQ(profile.query, 0);
     EXPECT_FALSE(result.device->is_pass_through());
 }
 
@@ -85,6 +105,15 @@ TEST(Device, what_is_wrong_is_told_with_file_and_line) {
         {replaced("report_queue = 8", "queue = 8"),
          "f.toml:17: ", "unknown key `queue`, expected one of counter"},
         {replaced("max_regions = 1", "max_regions = 65537"), "f.toml:19: ", "`max_regions`"},
+        {replaced("batch_us = 17", "batch_us = -1"), "f.toml:24: ", "`batch_us` is not a number from 0"},
+        {replaced("batch_us = 17", "batch_us = \"17\""), "f.toml:24: ", "`batch_us` is not a number"},
+        {replaced("40e6", "0"), "f.toml:25: ", "`triangles_per_second` is not a number from 1"},
+        {replaced("= 40e6", "= nan"), "f.toml:25: ", "`triangles_per_second` is not a number from 1"},
+        {replaced("poll_us = 0.25", "poll_us = 0"), "f.toml:28: ", "polling would take for ever"},
+        {replaced("poll_us", "pol_us"), "f.toml:28: ", "unknown key `pol_us`, expected one of source"},
+        {replaced("\"assumed\"", "\"guessed\""),
+         "f.toml:23: ", "`quality` is none of fitted, indicative, assumed"},
+        {replaced("source = \"a data sheet\"", "base = \"mesa\""), "f.toml:22: ", "`base` does not name"},
         {replaced("[region]", "[regions]"), "f.toml:18: ", "unknown key `regions`, expected one of name"},
         {replaced("[query]", "query = 3"), "f.toml:", ""},
         {replaced("[query]", "[query"), "f.toml:9: ", ""},
