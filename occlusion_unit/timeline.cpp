@@ -100,13 +100,14 @@ ResultTime Timeline::end_of(std::uint64_t query) {
     return result;
 }
 
-ResultTime Timeline::query(const Fragments& volume) {
+ResultTime Timeline::query(const Fragments& volume, std::uint64_t shapes) {
     make_room();
     const std::uint64_t number = ++queries_;
     spend(Activity::kQuery, profile_.query, number);
     const Picoseconds fill = fill_of(volume);
     sums_.fill += fill;
-    execute(Activity::kQuery, cpu_, profile_.gpu_query + fill, {.query = number, .fragments = volume.count});
+    execute(Activity::kQuery, cpu_, static_cast<Picoseconds>(shapes) * profile_.gpu_query + fill,
+            {.query = number, .fragments = volume.count});
     return end_of(number);
 }
 
@@ -166,11 +167,27 @@ void Timeline::read(std::uint64_t pixels) {
     execute(Activity::kRead, ready, reading, {.fragments = pixels});
 }
 
+void Timeline::copy(std::uint64_t pixels) {
+    make_room();
+    const Picoseconds reading = has(Effect::kReadCost) ? cost_of(pixels, profile_.read_pixel) : 0;
+    sums_.read_cost += reading;
+    sums_.pixels_read += pixels;
+    spend(Activity::kRead, profile_.read);
+    execute(Activity::kRead, cpu_, reading, {.fragments = pixels});
+}
+
+ResultTime Timeline::stamp() {
+    make_room();
+    execute(Activity::kQuery, cpu_, 0, {});
+    const Picoseconds latency = has(Effect::kLatency) ? profile_.result_latency : 0;
+    return {0, gpu_, gpu_ + latency};
+}
+
 void Timeline::finish() {
     stall_until(gpu_, Activity::kDrain, sums_.drain);
 }
 
-void Timeline::swap(std::uint64_t pixels) {
+TimeSums Timeline::swap(std::uint64_t pixels) {
     make_room();
     spend(Activity::kSwap, profile_.swap);
     const Picoseconds copying = has(Effect::kFill) ? cost_of(pixels, profile_.swapped_pixel) : 0;
@@ -185,6 +202,7 @@ void Timeline::swap(std::uint64_t pixels) {
     sums_ = {};
     frame_begin_ = cpu_;
     ++frame_index_;
+    return frame;
 }
 
 void Timeline::work(Picoseconds span) {

@@ -142,9 +142,9 @@ class Timeline {
 
     // Commands.
     void draw(const DrawWork& work);
-    // A query with the bounding volume that it asks about; geometry that is drawn for its own sake within it
-    // comes as a draw before.
-    ResultTime query(const Fragments& volume);
+    // A query with the bounding volume that it asks about, or <shapes> queries in one command; geometry that
+    // is drawn for its own sake within it comes as a draw before.
+    ResultTime query(const Fragments& volume, std::uint64_t shapes = 1);
     // <count> depth regions of <pixels> pixels in all, in one command.
     ResultTime regions(std::uint64_t count, std::uint64_t pixels);
     void clear(std::uint64_t pixels, std::uint32_t samples = 1);
@@ -156,9 +156,13 @@ class Timeline {
     // The CPU waits no longer than until <end>.
     void wait_until(Picoseconds end, std::uint64_t query = 0);
     void read(std::uint64_t pixels);
+    // Pixels go to a buffer object, for which the CPU does not wait.
+    void copy(std::uint64_t pixels);
+    // When the GPU has done all that was fed before: a timestamp, which is seen as late as a query's result.
+    ResultTime stamp();
     void finish();
-    // Ends the frame; <pixels> are copied to the window.
-    void swap(std::uint64_t pixels);
+    // Ends the frame; <pixels> are copied to the window. Returns the frame's sums.
+    TimeSums swap(std::uint64_t pixels);
     // The program's own work on the CPU.
     void work(Picoseconds span);
 
