@@ -34,6 +34,9 @@ std::vector<std::string> indexed_extensions(Context& ctx) {
     return names;
 }
 
+// Of every desktop context under the device's clock.
+constexpr const char* kDeviceTime = "GL_EMU_device_time";
+
 // Takes out what the device hides, adds what it supplies; true where that changed anything.
 bool edit(std::vector<std::string>& names, const Device& device) {
     bool has_changed = std::erase_if(names, [&](const std::string& name) { return device.hides(name); }) != 0;
@@ -97,9 +100,14 @@ const Advertised* advertise(Context& ctx, const Device& device) {
         }
         made.extensions_differ = edit(made.extensions, device);
         edit(words, device);
+        if (ctx.time != nullptr) words.emplace_back(kDeviceTime);
     } else if (ctx.emulates_regions || ctx.emulates_unit) {
         if (ctx.emulates_regions) made.extensions.emplace_back("GL_EMU_depth_region_query");
         if (ctx.emulates_unit) made.extensions.emplace_back("GL_EMU_occlusion_unit");
+        made.extensions_differ = true;
+    }
+    if (ctx.time != nullptr && !ctx.kind.is_es) {
+        made.extensions.emplace_back(kDeviceTime);
         made.extensions_differ = true;
     }
     for (const std::string& word : words) {

@@ -16,10 +16,27 @@ Context& enter() {
     return ctx;
 }
 
-Context::Context(const char* platform_name, const RealGl* real_gl, std::shared_ptr<ShareGroup> group)
-    : platform(platform_name), real(real_gl), share_group(std::move(group)), clock(settings().latency) {
+namespace {
+
+int next_number() {
     static std::atomic<int> contexts{0};
-    number = ++contexts;
+    return ++contexts;
+}
+
+std::unique_ptr<DeviceTime> make_time(Context& ctx) {
+    return settings().latency.kind == occlusion_unit::ClockKind::kDevice ? std::make_unique<DeviceTime>(ctx)
+                                                                         : nullptr;
+}
+
+}  // namespace
+
+Context::Context(const char* platform_name, const RealGl* real_gl, std::shared_ptr<ShareGroup> group)
+    : platform(platform_name),
+      real(real_gl),
+      number(next_number()),
+      share_group(std::move(group)),
+      time(make_time(*this)),
+      clock(settings().latency, time.get()) {
 }
 
 void Context::update_hot() {

@@ -17,6 +17,7 @@
 #include "context/current.h"
 #include "context/depth_reader.h"
 #include "context/device.h"
+#include "context/device_time.h"
 #include "context/display_lists.h"
 #include "context/draw_surface.h"
 #include "context/frame_counts.h"
@@ -116,6 +117,7 @@ struct Context {
     std::shared_ptr<UnitStages> unit_stages;  // once fragments were looked at
     DrawSurface draw_surface;                 // behind the default framebuffer, for drawing
     DepthReader depth_reader;
+    std::unique_ptr<DeviceTime> time;  // null but under the device's clock
     occlusion_unit::Clock clock;
     FrameCounts frame;
 

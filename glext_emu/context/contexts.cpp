@@ -110,13 +110,17 @@ std::uint32_t always_hot(const Context& ctx) {
     constexpr std::uint32_t kCounting =
         kHotDraw | kHotPixels | kHotImmediate | kHotCall | kHotList | kHotQuery;
     // Commands that the driver may lack are there where they are emulated.
-    constexpr std::uint32_t kSupplied =
-        kHotNvquery | kHotNvxrender | kHotInstrument | kHotVisibility | kHotFardepth | kHotRegion | kHotUnit;
+    constexpr std::uint32_t kSupplied = kHotNvquery | kHotNvxrender | kHotInstrument | kHotVisibility |
+                                        kHotFardepth | kHotRegion | kHotUnit | kHotWork;
+    // What takes time on a device.
+    constexpr std::uint32_t kTaking = kHotDraw | kHotPixels | kHotImmediate | kHotCall | kHotList |
+                                      kHotQuery | kHotClear | kHotRead | kHotStorage | kHotWork | kHotGet;
     std::uint32_t hot = 0;
     if (!wanted.report_path.empty()) hot |= kCounting;
     if (ctx.emulates_test) hot |= kHotEnable | kHotAttrib | kHotGet;
     if (ctx.follows_text) hot |= kHotQuery;
     if (ctx.clock.delays()) hot |= kHotQuery | kHotSync;
+    if (ctx.time != nullptr) hot |= kTaking;
     if (ctx.records_operations) hot |= kHotCall | kHotList;
     if (ctx.advertised->version_differs || ctx.advertised->extensions_differ) hot |= kHotString | kHotGet;
     if (ctx.clock.counts_calls()) hot |= kHotAll & ~kSupplied;
@@ -138,6 +142,12 @@ Counters known_instruments(const Context& ctx, const Device& device) {
     return known;
 }
 
+bool counts_fragments(const Context& ctx) {
+    return !ctx.kind.is_es &&
+           (ctx.kind.version >= GlVersion{4, 6} ||
+            (ctx.kind.version >= GlVersion{3, 0} && driver_has(ctx, "GL_ARB_pipeline_statistics_query")));
+}
+
 // What only the driver can tell, and only while the context is current.
 void initialise(Context& ctx) {
     ctx.kind = read_kind(ctx);
@@ -154,6 +164,10 @@ void initialise(Context& ctx) {
     const bool can_propose = !ctx.kind.is_es && ctx.kind.has_named_buffers;
     ctx.emulates_regions = can_propose && device.emulates("GL_EMU_depth_region_query");
     ctx.emulates_unit = can_propose && device.emulates("GL_EMU_occlusion_unit");
+    if (ctx.time != nullptr) {
+        ctx.time->initialise(counts_fragments(ctx));
+        ctx.slot.work_counters = &ctx.time->counters();
+    }
     ctx.advertised = advertise(ctx, device);
     ctx.probe.is_wanted = can_propose && settings().probes_unit;
     ctx.repeats_draws = ctx.kind.is_compatibility() && (ctx.emulates_unit || ctx.probe.is_wanted);
@@ -204,6 +218,7 @@ void context_leaves_thread() {
     Context* const ctx = current.context;
     if (ctx == nullptr) return;
     const bool has_active = ctx->slot.open_segment != 0 || ctx->proposed.run != nullptr;
+    if (ctx->time != nullptr) ctx->time->settle();
     if (!(has_active || ctx->probe.is_wanted) || ctx->is_between_begin_and_end()) return;
     if (ctx->probe.is_wanted) settle_probes(*ctx);
     const ListPause pause(*ctx);
@@ -259,6 +274,7 @@ void buffers_swapped() {
     Context* const ctx = current.context;
     if (ctx == nullptr) return;
     ctx->clock.count_swap();
+    if (ctx->time != nullptr) ctx->time->swap(window_pixels(*ctx));
     ctx->draw_surface.has_size = false;
     end_probes_frame(*ctx);
     Report::instance().end_frame(*ctx);

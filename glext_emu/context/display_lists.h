@@ -12,6 +12,7 @@
 #include <memory>
 #include <mutex>
 #include <set>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -81,6 +82,8 @@ struct ShareGroup {
     std::map<GLuint, std::shared_ptr<const ListRecipe>> recipes;  // by the program's name
     std::set<GLuint> defined_lists;  // by the program's EndList, in contexts that record operations
     std::set<GLuint> hidden_lists;   // names of the driver's that the program never sees
+    std::unordered_map<GLuint, std::int64_t> buffer_sizes;  // of vertices and indices, under a device's clock
+    std::atomic<std::int64_t> buffer_bytes{0};              // of all of them
 };
 
 // The list that is being compiled.

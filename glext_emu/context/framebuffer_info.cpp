@@ -153,6 +153,12 @@ FramebufferInfo framebuffer_object(Context& ctx, GLuint framebuffer) {
 
 }  // namespace
 
+std::uint64_t window_pixels(Context& ctx) {
+    if (!ctx.draw_surface.exists) return 0;
+    const DrawSurface::Size size = surface_size(ctx);
+    return static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
+}
+
 FramebufferInfo draw_framebuffer_info(Context& ctx) {
     constexpr GLint kNoName = -1;
     GLint bound = kNoName;

@@ -5,6 +5,8 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <cstdint>
+
 namespace glext_emu {
 
 struct Context;
@@ -27,6 +29,9 @@ struct FramebufferInfo {
 // Changes no state and leaves no error. A drawable's size is that of the last time that a driver took it
 // over: when the context was made current, buffers were swapped or the program changed its viewport.
 FramebufferInfo draw_framebuffer_info(Context& ctx);
+
+// Of the drawable that the context draws to, whatever framebuffer is bound.
+std::uint64_t window_pixels(Context& ctx);
 
 // What one count of the driver's samples query stands for, with the present MULTISAMPLE and draw framebuffer,
 // in samples. NV_occlusion_query, issues: samples are counted "even if GL_MULTISAMPLE is disabled but

@@ -98,7 +98,8 @@ bool OcclusionSlot::is_hidden(GLuint name) const {
            (name == open_segment || std::ranges::find(unread_segments, name) != unread_segments.end() ||
             std::ranges::find(spare, name) != spare.end() ||
             std::ranges::find(lent_counters, name) != lent_counters.end() ||
-            std::ranges::find(spare_counters, name) != spare_counters.end());
+            std::ranges::find(spare_counters, name) != spare_counters.end() ||
+            (work_counters != nullptr && work_counters->owns(name)));
 }
 
 bool OcclusionSlot::is_doomed(GLuint name) const {
@@ -124,6 +125,7 @@ void open_segment(Context& ctx) {
     const bool is_counted = slot.counters != 0;
     slot.open_target = is_counted ? GL_SAMPLES_PASSED : segment_target(ctx);
     const GLuint name = is_counted ? take_counter(ctx) : take_name(ctx, slot.spare);
+    if (ctx.time != nullptr) ctx.time->begin_query();
     ctx.real->glBeginQuery(slot.open_target, name);
     slot.open_segment = name;
     ctx.frame.queries_begun++;
@@ -247,6 +249,10 @@ void yield_name(Context& ctx, GLuint name) {
     OcclusionSlot& slot = ctx.slot;
     if (!slot.is_hidden(name)) return;
     if (name == slot.open_segment) close_segment(ctx);
+    if (ctx.time != nullptr && ctx.time->counters().owns(name)) {
+        ctx.time->settle();
+        return ctx.time->counters().forget(ctx, name);
+    }
     fold_segments(ctx);
     ctx.instruments.pipe.settle(ctx);
     ctx.visibility.pipe.settle(ctx);

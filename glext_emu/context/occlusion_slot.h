@@ -19,6 +19,7 @@
 namespace glext_emu {
 
 struct Context;
+class WorkCounters;
 
 // SAMPLES_PASSED, ANY_SAMPLES_PASSED or ANY_SAMPLES_PASSED_CONSERVATIVE: the targets that fill the slot.
 bool is_occlusion_target(GLenum target);
@@ -43,6 +44,7 @@ struct QueryRecord {
     GLuint samples_per_count = 1;
     std::uint64_t earlier = 0;  // counted at another number of samples per count
     occlusion_unit::Tick due = 0;
+    occlusion_unit::Tick begun = 0;  // of a timer query under the device's clock
 
     bool is_as_counted() const { return earlier == 0 && samples_per_count == 1; }
 };
@@ -72,6 +74,9 @@ struct OcclusionSlot {
     // begin.
     std::vector<GLuint> lent_counters;
     std::vector<GLuint> spare_counters;
+
+    // The device time's, which count fragments and primitives.
+    const WorkCounters* work_counters = nullptr;
 
     // What counts beside the flag while the program's queries do not: hidden segments, which go down a pipe.
     CountPipe* pipe = nullptr;  // null: nothing

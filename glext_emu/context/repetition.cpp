@@ -95,6 +95,7 @@ bool counts_draws(Context& ctx) {
                                           GL_CLIPPING_OUTPUT_PRIMITIVES};
     const OwnCalls own(ctx);
     return ctx.proposed.counts_draws && std::ranges::any_of(kTargets, [&](GLenum target) {
+               if (ctx.time != nullptr && ctx.time->counters().holds(target)) return false;
                GLint query = 0;
                ctx.real->glGetQueryiv(target, GL_CURRENT_QUERY, &query);
                return query != 0;

@@ -52,6 +52,25 @@ const char* target_name(GLenum target) {
                                              : "ANY_SAMPLES_PASSED_CONSERVATIVE";
 }
 
+// By hand: printf's decimal point is the locale's.
+std::string milliseconds(std::int64_t picoseconds) {
+    char text[48];
+    std::snprintf(text, sizeof text, "%lld.%09lld", static_cast<long long>(picoseconds / 1'000'000'000),
+                  static_cast<long long>(picoseconds % 1'000'000'000));
+    return text;
+}
+
+// The frame's time on the device.
+std::string device_times(const Context& ctx) {
+    if (ctx.time == nullptr) return "";
+    const occlusion_unit::TimeSums& frame = ctx.time->last_frame();
+    return ",\"device_ms\":" + milliseconds(frame.cpu) + ",\"gpu_busy_ms\":" + milliseconds(frame.gpu_busy) +
+           ",\"device_stall_ms\":" + milliseconds(frame.stall) +
+           ",\"back_pressure_ms\":" + milliseconds(frame.back_pressure) +
+           ",\"starvation_ms\":" + milliseconds(frame.starvation) +
+           ",\"drain_ms\":" + milliseconds(frame.drain);
+}
+
 bool write_all(int file, const std::string& text, off_t at) {
     std::size_t done = 0;
     while (done < text.size()) {
@@ -156,6 +175,7 @@ void Report::add_frame(Context& ctx) {
            ",\"stall_ms\":" + stall_ms + ",\"results\":" + std::to_string(frame.results) + ",\"draws\":" +
            std::to_string(frame.draws) + ",\"pixels_read\":" + std::to_string(frame.pixels_read) +
            ",\"triangles\":" + (frame.triangles_are_known ? std::to_string(frame.triangles) : "null") +
+           device_times(ctx) +
            (settings().probes_unit ? ",\"unprobed\":" + std::to_string(frame.unprobed) : "") + "}");
 }
 

@@ -7,11 +7,15 @@
 //   {"kind":"context","pid":..,"program":..,"context":..,"platform":..,"device":..,"clock":..,"renderer":..,"version":..},
 //   {"kind":"frame","pid":..,"context":..,"frame":..,"queries_begun":..,"polls":..,"waits":..,"stall_ms":..,
 //    "results":..,"draws":..,"pixels_read":..,"triangles":.. or null}
+//     under --clock device also, in milliseconds of the device's time: "device_ms" from swap to swap,
+//     "gpu_busy_ms", "device_stall_ms", "back_pressure_ms", "starvation_ms", "drain_ms"
+//   {"kind":"effect","pid":..,"context":..,"effect":..,"on":..,"called_for":..,"reason":..,"ms":.. or null}
 //   {"kind":"probe","pid":..,"context":..,"frame":..,"query":..,"target":..,"draws":..,"far":0 or 1,
 //    "visible":..,"projected_hits":..,"visible_hits":..,"nearest_depth":..,
 //    "screen_box":[left,bottom,right,top] or null}
 //   ]}
 //
+// An effect record says what an effect of the device's time was worth to the context, when it ends.
 // A probe record is one of the program's queries, with its name; a register that cannot be told is null. They
 // come when they are known, which may be frames later.
 //
@@ -50,6 +54,9 @@ class Report {
     void add_probe(const Context& ctx, const ProbedQuery& query, const occlusion_unit::Record& record);
     // Writes what is buffered.
     void flush();
+
+    // What the effects of the device's time were worth to <ctx>.
+    void add_effects(const Context& ctx);
 
   private:
     Report();

@@ -278,11 +278,17 @@ void ShapeRun::draw_sheet(Context& ctx, const Shapes& shapes, const std::vector<
     const auto indices = static_cast<GLsizei>(kind_of_shape(shapes.kind).triangles.size()) * sheet.count;
     ResultBinding binding;
     binding.bind(ctx, sheet.buffer.name);
+    // The device draws them once, whatever is noted of it.
+    if (ctx.time != nullptr)
+        ctx.time->draw_apart(static_cast<std::uint64_t>(indices) / 3, true, VertexSource::kArrays);
+    bool is_first = ctx.time != nullptr;
     const auto run = [&](unsigned what) {
         const GLuint program = shape_program(ctx, what);
         binding.attach(ctx, program);
         real.glUseProgram(program);
+        if (is_first) ctx.time->count();
         real.glDrawElements(GL_TRIANGLES, indices, GL_UNSIGNED_SHORT, nullptr);
+        if (std::exchange(is_first, false)) ctx.time->stop_counting();
     };
     if (visible != 0 && has_visible_) {
         if (far_end_ == FarEnd::kZero && (visible & kNotesDepth) != 0) visible |= kFarIsZero;

@@ -81,7 +81,7 @@ void start(Context& ctx, GLuint id, GLenum mode) {
     QueryRecord& record = found->second;
     if (waits(mode)) {
         const StallScope stall(ctx);
-        ctx.clock.wait_until(record.due);
+        wait_in_pipe(ctx, record.due);
     } else if (ctx.clock.delays() && !ctx.clock.poll(record.due)) {
         // ARB_conditional_render_inverted, issue 3: the condition is inverted, not what happens without a
         // result.

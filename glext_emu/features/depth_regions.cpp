@@ -120,6 +120,16 @@ bool refuses_buffer(Context& ctx, GLsizei count, GLuint buffer, GLintptr offset)
     return !fits;
 }
 
+// When the answers to the question whose rectangles were read are due.
+occlusion_unit::Tick due_of_regions(Context& ctx) {
+    if (ctx.time != nullptr) {
+        std::uint64_t pixels = 0;
+        for (const Rect& rect : ctx.depth_reader.rects) pixels += static_cast<std::uint64_t>(rect.area());
+        ctx.time->ask_about_regions(ctx.depth_reader.rects.size(), pixels);
+    }
+    return ctx.clock.due();
+}
+
 }  // namespace
 
 GLint max_depth_regions() {
@@ -144,7 +154,7 @@ void get_depth_regionsfv_emu(Context& ctx, GLenum pname, GLsizei count, const GL
     // Reading the time takes as long as reading a hundred depths.
     std::optional<StallScope> stall;
     if (Report::instance().is_wanted()) stall.emplace(ctx);
-    const occlusion_unit::Tick due = ctx.clock.due();
+    const occlusion_unit::Tick due = due_of_regions(ctx);
     const bool is_answered = answer(ctx, *question, {values, ctx.depth_reader.rects.size()});
     ctx.clock.wait_until(due);
     if (is_answered) ctx.frame.results += static_cast<std::uint64_t>(count);
@@ -156,7 +166,7 @@ void query_depth_regions_emu(Context& ctx, GLenum pname, GLsizei count, const GL
     if (!question) return;
     const std::span names(ids, static_cast<std::size_t>(count));
     if (refuses_names(ctx, names)) return;
-    const occlusion_unit::Tick due = ctx.clock.due();
+    const occlusion_unit::Tick due = due_of_regions(ctx);
     const std::vector<GLuint> words = answer_in_words(ctx, *question);
     for (std::size_t i = 0; i < words.size(); ++i) {
         ProposedQuery& query = renew_proposed_query(ctx, names[i], GL_DEPTH_REGION_EMU);
@@ -172,12 +182,12 @@ void query_depth_regions_buffer_emu(Context& ctx, GLenum pname, GLsizei count, c
                                     GLuint buffer, GLintptr offset) {
     const auto question = question_of(ctx, pname, count, rectangles);
     if (!question || refuses_buffer(ctx, count, buffer, offset)) return;
-    const occlusion_unit::Tick due = ctx.clock.due();
+    const occlusion_unit::Tick due = due_of_regions(ctx);
     const std::vector<GLuint> words = answer_in_words(ctx, *question);
     if (words.empty()) return;
     // The machine's pipeline is in order: whoever reads the buffer gets the results, so they are waited for.
     const StallScope stall(ctx);
-    ctx.clock.wait_until(due);
+    wait_in_pipe(ctx, due);
     put_bytes(ctx, buffer, offset, words.data(), static_cast<GLsizeiptr>(words.size() * sizeof(GLuint)));
     ctx.frame.queries_begun += words.size();
     ctx.frame.results += words.size();

@@ -30,6 +30,12 @@ bool counts_too_much(const Context& ctx, GLenum pixels) {
     return is_stencil && ctx.follows_text && !ctx.recording.is_open();
 }
 
+VertexSource source_of(DrawKind kind) {
+    return kind == DrawKind::kCollected ? VertexSource::kList
+           : kind == DrawKind::kPixels  ? VertexSource::kPixels
+                                        : VertexSource::kArrays;
+}
+
 // A draw is about to be executed.
 void before_draw(Context& ctx, Triangles triangles) {
     count_draw(ctx, triangles);
@@ -77,13 +83,26 @@ void draw_rectangle(Context& ctx, GLenum pixels, DrawKind kind, DrawCall call) {
 
 }  // namespace
 
+void draw_watched(Context& ctx, Triangles triangles, DrawCall call) {
+    if (ctx.time == nullptr) return draw_under_unit(ctx, triangles.kind, call);
+    ctx.time->draw_apart(triangles.count, triangles.is_known, source_of(triangles.kind));
+    bool is_first = true;
+    draw_under_unit(ctx, triangles.kind, [&] {
+        if (!std::exchange(is_first, false)) return call();
+        ctx.time->count();
+        call();
+        ctx.time->stop_counting();
+    });
+}
+
 void draw(Context& ctx, Triangles triangles, DrawCall call) {
     if (stands_alone(ctx)) return draw_in_list(ctx, triangles, call);
     // A command that is only compiled draws nothing now.
     if (ctx.recording.only_compiles() || ctx.inside_begin_end) return call();
     before_draw(ctx, triangles);
     if (ctx.proposed.run != nullptr && !ctx.recording.is_open()) [[unlikely]]
-        return draw_under_unit(ctx, triangles.kind, call);
+        return draw_watched(ctx, triangles, call);
+    if (ctx.time != nullptr) ctx.time->draw(triangles.count, triangles.is_known, source_of(triangles.kind));
     call();
 }
 
@@ -124,7 +143,10 @@ void begin(Context& ctx, GLenum mode) {
     }
     if (recording.is_open()) recording.follow(BeginEnd::kOpens);
     if (!recording.only_compiles()) {
-        if (ctx.collected_primitive == 0) before_draw(ctx, unknown());
+        if (ctx.collected_primitive == 0) {
+            before_draw(ctx, unknown());
+            if (ctx.time != nullptr) ctx.time->draw(0, false, VertexSource::kImmediate);
+        }
         remember_list_base(ctx);
         ctx.set_inside_begin_end(true);
     }

@@ -19,6 +19,31 @@ void copy_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, 
 void begin(Context& ctx, GLenum mode);
 void end(Context& ctx);
 
+// device_commands.cpp
+void clear(Context& ctx, GLbitfield mask);
+void clear_bufferfi(Context& ctx, GLenum buffer, GLint index, GLfloat depth, GLint stencil);
+void clear_bufferfv(Context& ctx, GLenum buffer, GLint index, const GLfloat* value);
+void clear_bufferiv(Context& ctx, GLenum buffer, GLint index, const GLint* value);
+void clear_bufferuiv(Context& ctx, GLenum buffer, GLint index, const GLuint* value);
+void clear_named_framebufferfi(Context& ctx, GLuint framebuffer, GLenum buffer, GLint index, GLfloat depth,
+                               GLint stencil);
+void clear_named_framebufferfv(Context& ctx, GLuint framebuffer, GLenum buffer, GLint index,
+                               const GLfloat* value);
+void clear_named_framebufferiv(Context& ctx, GLuint framebuffer, GLenum buffer, GLint index,
+                               const GLint* value);
+void clear_named_framebufferuiv(Context& ctx, GLuint framebuffer, GLenum buffer, GLint index,
+                                const GLuint* value);
+void read_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type,
+                 void* pixels);
+void readn_pixels(Context& ctx, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type,
+                  GLsizei size, void* data);
+void buffer_data(Context& ctx, GLenum target, GLsizeiptr size, const void* data, GLenum usage);
+void buffer_storage(Context& ctx, GLenum target, GLsizeiptr size, const void* data, GLbitfield flags);
+void named_buffer_data(Context& ctx, GLuint buffer, GLsizeiptr size, const void* data, GLenum usage);
+void named_buffer_storage(Context& ctx, GLuint buffer, GLsizeiptr size, const void* data, GLbitfield flags);
+void delete_buffers(Context& ctx, GLsizei n, const GLuint* buffers);
+void device_work_emu(Context& ctx, GLuint64 nanoseconds);
+
 // fences.cpp
 void finish(Context& ctx);
 GLsync fence_sync(Context& ctx, GLenum condition, GLbitfield flags);
@@ -85,6 +110,8 @@ void get_occlusion_records_emu(Context& ctx, GLuint id, GLsizei first, GLsizei c
 bool makes_fragments(Context& ctx);
 // A draw while a unit's query is active.
 void draw_under_unit(Context& ctx, DrawKind kind, DrawCall call);
+// The same, and a device under its own clock is told of it once.
+void draw_watched(Context& ctx, Triangles triangles, DrawCall call);
 
 // query_objects.cpp
 void gen_queries(Context& ctx, GLsizei n, GLuint* ids);
@@ -99,6 +126,8 @@ void end_query_indexed(Context& ctx, GLenum target, GLuint index);
 void start_query(Context& ctx, GLenum target, GLuint id);
 void finish_query(Context& ctx, GLenum target);
 void query_counter(Context& ctx, GLuint id, GLenum target);
+// A generated name has become an object of a target of the driver's, unless that failed.
+void note_object(Context& ctx, GLuint id);
 void get_queryiv(Context& ctx, GLenum target, GLenum pname, GLint* params);
 void get_query_indexediv(Context& ctx, GLenum target, GLuint index, GLenum pname, GLint* params);
 void object_label(Context& ctx, GLenum identifier, GLuint name, GLsizei length, const GLchar* label);
@@ -115,6 +144,17 @@ void get_occlusion_queryiv_nv(Context& ctx, GLuint id, GLenum pname, GLint* para
 void get_occlusion_queryuiv_nv(Context& ctx, GLuint id, GLenum pname, GLuint* params);
 // The bits of the samples-passed counter.
 GLint counter_bits(Context& ctx);
+
+// timer_queries.cpp: under the device's clock.
+// Begin and End of a query that has nothing to do with occlusion.
+void start_timed_query(Context& ctx, GLenum target, GLuint id);
+void end_timed_query(Context& ctx, GLenum target);
+void stamp_query(Context& ctx, GLuint id, GLenum target);
+bool is_timer(GLenum target);
+// What a timer query that has ended shows; its result is there.
+std::uint64_t device_nanoseconds(Context& ctx, const QueryRecord& timer);
+// The object's timer, if it is one, is begun anew or deleted.
+void forget_timer(Context& ctx, GLuint id);
 
 // query_results.cpp
 void get_query_objectiv(Context& ctx, GLuint id, GLenum pname, GLint* params);

@@ -40,6 +40,8 @@ void let_driver_finish(const Context& ctx, GLsync sync) {
 }  // namespace
 
 void finish(Context& ctx) {
+    // First: on OSMesa a frame ends with the driver's.
+    if (ctx.time != nullptr) ctx.time->finish();
     ctx.real->glFinish();
     ctx.clock.wait_until(ctx.clock.latest_due());
     if (ctx.known_instruments != 0) deliver_measurements(ctx);
@@ -48,8 +50,9 @@ void finish(Context& ctx) {
 GLsync fence_sync(Context& ctx, GLenum condition, GLbitfield flags) {
     GLsync sync = ctx.real->glFenceSync(condition, flags);
     if (sync == nullptr || !ctx.clock.delays()) return sync;
+    const occlusion_unit::Tick due = ctx.time != nullptr ? ctx.time->stamp() : ctx.clock.latest_due();
     const std::lock_guard lock(ctx.share_group->mutex);
-    ctx.share_group->fences[sync] = {ctx.clock.latest_due(), ctx.number};
+    ctx.share_group->fences[sync] = {due, ctx.number};
     return sync;
 }
 

@@ -46,7 +46,7 @@ void draw_one_by_one(Context& ctx, const Shapes& shapes, std::vector<occlusion_u
         hide_if_not_finite(vertices);
         ctx.real->glBindVertexArray(shape_arrays(ctx, shapes.kind, vertices));
         ctx.proposed.run = std::make_unique<UnitRun>(shapes.registers, shapes.far_end, VisibleHitsBy::kUnit);
-        draw_under_unit(ctx, DrawKind::kPrimitives, [&] {
+        draw_watched(ctx, {kind.triangles.size() / 3}, [&] {
             ctx.real->glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(kind.triangles.size()),
                                      GL_UNSIGNED_SHORT, nullptr);
         });
@@ -80,10 +80,10 @@ void occlusion_unit_shapes_emu(Context& ctx, GLbitfield registers, GLenum shape,
     query.armed = registers;
     query.record_count = count;
     query.has_ended = true;
-    query.due = ctx.clock.due();
     ctx.frame.queries_begun++;
 
     const ListPause pause(ctx);
+    if (ctx.time != nullptr) ctx.time->begin_query();
     Matrix current{};
     if (matrix == nullptr) {
         current = current_matrix(ctx);
@@ -94,11 +94,14 @@ void occlusion_unit_shapes_emu(Context& ctx, GLbitfield registers, GLenum shape,
     const Shapes shapes{is_seen ? 0 : registers, shape, count, vertices, matrix, ctx.proposed.unit_far_end()};
     const bool draws = !is_seen && draws_fragments(ctx);
     if (draws && !ShapeRun::serves(ctx, registers, framebuffer)) {
-        return draw_one_by_one(ctx, shapes, query.records);
+        draw_one_by_one(ctx, shapes, query.records);
+    } else {
+        auto run = std::make_unique<ShapeRun>(shapes);
+        if (draws) run->draw(ctx, shapes, framebuffer);
+        query.pending = std::move(run);
     }
-    auto run = std::make_unique<ShapeRun>(shapes);
-    if (draws) run->draw(ctx, shapes, framebuffer);
-    query.pending = std::move(run);
+    if (ctx.time != nullptr) ctx.time->ask_about_shapes(static_cast<std::uint64_t>(count));
+    query.due = ctx.clock.due();
 }
 
 }  // namespace glext_emu::features

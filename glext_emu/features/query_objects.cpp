@@ -43,13 +43,12 @@ bool refuses_as_proposed(const Context& ctx, GLuint id) {
     return !ctx.recording.is_open() && ctx.proposed.is_object(id);
 }
 
-// A generated name has become an object of a target of the driver's, unless that failed.
+}  // namespace
+
 void note_object(Context& ctx, GLuint id) {
     if (!ctx.proposed.generated.contains(id) || ctx.recording.is_open()) return;
     if (ctx.real->glIsQuery(id) != GL_FALSE) ctx.proposed.generated.erase(id);
 }
-
-}  // namespace
 
 void gen_queries(Context& ctx, GLsizei n, GLuint* ids) {
     if (refuses_names_now(ctx)) return ctx.raise(GL_INVALID_OPERATION);
@@ -88,6 +87,7 @@ void delete_queries(Context& ctx, GLsizei n, const GLuint* ids) {
             ctx.slot.ended_app_query = 0;
         }
         settle_probe(ctx, name);
+        forget_timer(ctx, name);
         if (name == ctx.slot.app_query) ctx.slot.app_query = 0;
         delete_proposed_query(ctx, name);
         ctx.slot.records.erase(name);
@@ -128,12 +128,14 @@ void start_query(Context& ctx, GLenum target, GLuint id) {
     // The driver refuses a second query in the slot, and targets of other slots are its own affair.
     if (!is_occlusion_target(target) || !driver_knows(ctx, target) || ctx.slot.app_query != 0) {
         ctx.proposed.counts_draws |= !is_occlusion_target(target) && target != GL_TIME_ELAPSED;
+        if (ctx.time != nullptr) return start_timed_query(ctx, target, id);
         ctx.real->glBeginQuery(real, id);
         return note_object(ctx, id);
     }
 
     close_segment(ctx);
     settle_probe(ctx, id);
+    if (ctx.time != nullptr) ctx.time->begin_query();
     ctx.real->glBeginQuery(real, id);
     if (id == 0 || active_query(ctx, real) != id) return ctx.update_hot();
     // ARB_occlusion_query, issues: BeginQuery "resets the sample count (and therefore the occlusion test
@@ -150,7 +152,8 @@ void start_query(Context& ctx, GLenum target, GLuint id) {
 
 void begin_query_indexed(Context& ctx, GLenum target, GLuint index, GLuint id) {
     // GL 4.6, 4.2: BeginQueryIndexed with index zero is BeginQuery.
-    if (index == 0 && is_occlusion_target(target)) return begin_query(ctx, target, id);
+    if (index == 0 && (is_occlusion_target(target) || ctx.time != nullptr))
+        return begin_query(ctx, target, id);
     if (refuses_as_proposed(ctx, id)) return ctx.raise(GL_INVALID_OPERATION);
     if (!ctx.recording.is_open()) yield_name(ctx, id);
     ctx.proposed.counts_draws = true;
@@ -159,7 +162,9 @@ void begin_query_indexed(Context& ctx, GLenum target, GLuint index, GLuint id) {
 }
 
 void end_query(Context& ctx, GLenum target) {
-    if (!is_occlusion_target(target)) return ctx.real->glEndQuery(target);
+    if (!is_occlusion_target(target)) {
+        return ctx.time != nullptr ? end_timed_query(ctx, target) : ctx.real->glEndQuery(target);
+    }
     if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
     if (ctx.recording.is_open() && ctx.records_operations) {
         return record(ctx, {[](Context& c, const ListOperation& op) { end_query(c, op.first); }, target});
@@ -189,19 +194,25 @@ void finish_query(Context& ctx, GLenum target) {
 }
 
 void end_query_indexed(Context& ctx, GLenum target, GLuint index) {
-    if (index == 0 && is_occlusion_target(target)) return end_query(ctx, target);
+    if (index == 0 && (is_occlusion_target(target) || ctx.time != nullptr)) return end_query(ctx, target);
     ctx.real->glEndQueryIndexed(target, index);
 }
 
 void query_counter(Context& ctx, GLuint id, GLenum target) {
     if (refuses_as_proposed(ctx, id)) return ctx.raise(GL_INVALID_OPERATION);
     if (!ctx.recording.is_open()) yield_name(ctx, id);
+    if (ctx.time != nullptr) return stamp_query(ctx, id, target);
     ctx.real->glQueryCounter(id, target);
     note_object(ctx, id);
 }
 
 void get_queryiv(Context& ctx, GLenum target, GLenum pname, GLint* params) {
     if (refuses_target(ctx, target)) return ctx.raise(GL_INVALID_ENUM);
+    if (pname == GL_CURRENT_QUERY && params != nullptr && ctx.time != nullptr &&
+        ctx.time->counters().holds(target)) {
+        *params = 0;
+        return;
+    }
     if (!is_occlusion_target(target) || params == nullptr)
         return ctx.real->glGetQueryiv(target, pname, params);
 

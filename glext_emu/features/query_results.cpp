@@ -21,6 +21,7 @@ GLuint bound_query_buffer(Context& ctx) {
 
 // True where the program sees what the driver has counted.
 bool is_the_drivers(const QueryRecord& record) {
+    if (is_timer(record.target)) return false;  // they are known under the device's clock only
     const bool is_counter = record.target == GL_SAMPLES_PASSED;
     return record.is_as_counted() && !(is_counter && settings().device.counter_bits);
 }
@@ -34,6 +35,7 @@ T nearest(std::uint64_t value) {
 // What the counter of the machine shows.
 template <class T>
 T seen_count(Context& ctx, const QueryRecord& record, GLuint id) {
+    if (is_timer(record.target)) return nearest<T>(device_nanoseconds(ctx, record));
     std::uint64_t count = record.earlier + record.samples_per_count * driver_count(ctx, id);
     // ARB_occlusion_query, issues: a counter that overflows stays at 2^n-1.
     const int bits = record.target == GL_SAMPLES_PASSED ? settings().device.counter_bits.value_or(64) : 1;
@@ -48,7 +50,7 @@ void write_to_buffer(Context& ctx, GLuint id, QueryRecord& record, GLenum pname,
     if (!can_correct(ctx, buffer)) {
         // GL 4.6, 6.3.1: commands that write to a mapped buffer may refuse it.
         if (ctx.follows_text && is_mapped(ctx, buffer)) return ctx.raise(GL_INVALID_OPERATION);
-        ctx.clock.wait_until(record.due);
+        wait_in_pipe(ctx, record.due);
         return write();
     }
     const auto accepts = [&] { return driver_accepts(ctx, write); };
@@ -64,7 +66,7 @@ void write_to_buffer(Context& ctx, GLuint id, QueryRecord& record, GLenum pname,
             // The machine's pipeline is in order: whoever reads the buffer gets the result, so it is waited
             // for.
             const StallScope stall(ctx);
-            ctx.clock.wait_until(record.due);
+            wait_in_pipe(ctx, record.due);
             if (accepts() && !is_the_drivers(record)) {
                 put_in_buffer(ctx, buffer, offset, seen_count<T>(ctx, record, id));
             }

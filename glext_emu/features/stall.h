@@ -24,4 +24,11 @@ class StallScope {
     std::chrono::steady_clock::time_point start_;
 };
 
+// What follows needs a result that the program does not see: on a device the GPU waits for it; where the
+// latency is all that is known of a machine, the program does.
+inline void wait_in_pipe(Context& ctx, occlusion_unit::Tick due) {
+    if (ctx.time != nullptr) return ctx.time->wait_on_gpu(due);
+    ctx.clock.wait_until(due);
+}
+
 }  // namespace glext_emu::features

@@ -56,6 +56,8 @@ bool is_ours(const Context& ctx, GLenum pname) {
             return ctx.emulates_unit;
         case GL_LIST_INDEX:
             return ctx.recording.name != 0;
+        case GL_TIMESTAMP:
+            return ctx.time != nullptr;
         case GL_MAJOR_VERSION:
         case GL_MINOR_VERSION:
         case GL_NUM_EXTENSIONS:
@@ -108,6 +110,8 @@ Answer answer(Context& ctx, GLenum pname) {
             if (is_before_3_0) return {Answer::kRefuse};
             if (!advertised.extensions_differ) return {};
             return {Answer::kInstead, static_cast<GLint>(advertised.extensions.size())};
+        case GL_TIMESTAMP:
+            return {Answer::kInstead, static_cast<GLint64>(ctx.time->now_ns())};
         case GL_LIST_INDEX:
             // The driver's list may be a part of the program's.
             return ctx.recording.name != 0

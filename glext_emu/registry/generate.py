@@ -19,7 +19,7 @@ LOOKS_LIKE_DRAW_OR_QUERY = re.compile(
     r"|^gl(Named)?FramebufferDrawBuffer")
 
 # Classes of commands that a driver may lack: where a device emulates something, they have a wrapper even so.
-SUPPLIED = {"nvquery", "nvxrender", "instrument", "visibility", "fardepth", "region", "unit"}
+SUPPLIED = {"nvquery", "nvxrender", "instrument", "visibility", "fardepth", "region", "unit", "work"}
 
 # Classes whose commands may stand between Begin and End, or look for themselves whether they do.
 UNGUARDED = {"immediate", "call", "enable", "get", "region"}

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: MIT
+#include "context/device_time.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "context/context.h"
+#include "context/list_pause.h"
+#include "context/settings.h"
+#include "context/timeline_file.h"
+
+namespace glext_emu {
+namespace {
+
+using occlusion_unit::DrawWork;
+using occlusion_unit::Effect;
+using occlusion_unit::Fragments;
+using occlusion_unit::Picoseconds;
+using occlusion_unit::ResultTime;
+
+// Triangles of a box: as many are part of a query's own costs, as a bounding volume's.
+constexpr std::uint64_t kVolumeTriangles = 12;
+// Commands and draws are kept until somebody asks for a time, but not more of them than this.
+constexpr std::size_t kMostKept = 1 << 14;
+constexpr std::size_t kMostBatches = 1 << 14;
+
+constexpr std::uint64_t kPicosecondsPerNanosecond = 1000;
+
+bool has(Effect effect) {
+    return settings().effects[static_cast<std::size_t>(effect)];
+}
+
+// <whole> * <part> / <all>, exact.
+std::uint64_t share(std::uint64_t whole, std::uint64_t part, std::uint64_t all) {
+    __extension__ using Wide = unsigned __int128;
+    return all == 0 ? 0 : static_cast<std::uint64_t>(Wide{whole} * part / all);
+}
+
+bool writes_color(const Context& ctx) {
+    GLboolean mask[4] = {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};
+    ctx.real->glGetBooleanv(GL_COLOR_WRITEMASK, mask);
+    return std::ranges::find(mask, GL_TRUE) != std::end(mask);
+}
+
+std::uint32_t samples_of(const Context& ctx) {
+    GLint samples = 0;
+    ctx.real->glGetIntegerv(GL_SAMPLES, &samples);
+    return samples > 1 ? static_cast<std::uint32_t>(samples) : 1;
+}
+
+bool draws_in_query(const Context& ctx) {
+    return ctx.slot.app_query != 0 || ctx.slot.open_segment != 0 || ctx.proposed.active_unit != 0;
+}
+
+// Vertices that the program keeps in its own memory are copied at each draw.
+bool reads_client_memory(const Context& ctx) {
+    if (!ctx.kind.is_compatibility()) return false;
+    GLint buffer = 0;
+    if (ctx.real->glIsEnabled(GL_VERTEX_ARRAY) != GL_FALSE) {
+        ctx.real->glGetIntegerv(GL_VERTEX_ARRAY_BUFFER_BINDING, &buffer);
+        return buffer == 0;
+    }
+    GLint is_enabled = 0;
+    ctx.real->glGetVertexAttribiv(0, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &is_enabled);
+    if (is_enabled == 0) return false;
+    ctx.real->glGetVertexAttribiv(0, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING, &buffer);
+    return buffer == 0;
+}
+
+}  // namespace
+
+DeviceTime::DeviceTime(Context& ctx)
+    : ctx_(ctx),
+      profile_(settings().device.time->profile),
+      file_(open_timeline_file(ctx)),
+      timeline_(profile_, settings().effects, file_.get()) {
+}
+
+void DeviceTime::initialise(bool has_fragment_counts) {
+    const bool has_cost = profile_.fragment != 0 || profile_.depth_fragment != 0;
+    counts_fragments_ = has_fragment_counts && has_cost && has(Effect::kFill);
+}
+
+// Queries are compiled into lists, and are errors between Begin and End.
+bool DeviceTime::can_count() const {
+    return !ctx_.recording.is_open() && !ctx_.inside_begin_end;
+}
+
+bool DeviceTime::needs_copy(VertexSource source) {
+    if (profile_.copied_triangle == 0 || source == VertexSource::kList || source == VertexSource::kPixels)
+        return false;
+    if (source == VertexSource::kImmediate || reads_client_memory(ctx_)) return true;
+    return profile_.video_memory != 0 && ctx_.share_group->buffer_bytes > profile_.video_memory;
+}
+
+void DeviceTime::open_window(bool is_of_query, bool is_depth_only) {
+    window_ = {};
+    window_.is_of_query = is_of_query;
+    window_.is_depth_only = is_depth_only;
+    window_.samples = samples_of(ctx_);
+    is_window_open_ = true;
+}
+
+void DeviceTime::count() {
+    const bool has_unknown = !window_.batches.empty() && !window_.batches.back().is_known;
+    if (!can_count() || !(counts_fragments_ || has_unknown)) return;
+    const OwnCalls own(ctx_);
+    counters_.begin(ctx_, counts_fragments_, has_unknown);
+}
+
+void DeviceTime::stop_counting() {
+    if (!counters_.is_open()) return;
+    const OwnCalls own(ctx_);
+    window_.counted = counters_.end(ctx_);
+}
+
+void DeviceTime::pause() {
+    if (!is_window_open_) return;
+    is_window_open_ = false;
+    stop_counting();
+    if (window_.is_of_query && query_windows_.size() < kMostBatches) {
+        query_windows_.push_back(std::exchange(window_, {}));
+    } else {
+        Command draws{.kind = Kind::kDraws};
+        draws.windows.push_back(std::exchange(window_, {}));
+        keep(std::move(draws));
+    }
+}
+
+void DeviceTime::keep(Command command) {
+    if (kept_.size() >= kMostKept && can_count()) settle();
+    kept_.push_back(std::move(command));
+}
+
+void DeviceTime::begin_query() {
+    pause();
+    // Those of a query that was lost before its end.
+    for (WorkWindow& window : query_windows_) {
+        Command draws{.kind = Kind::kDraws};
+        draws.windows.push_back(std::move(window));
+        keep(std::move(draws));
+    }
+    query_windows_.clear();
+}
+
+void DeviceTime::draw(std::uint64_t triangles, bool is_known, VertexSource source) {
+    // What is discarded is not drawn, and only the driver knows.
+    if (ctx_.conditional.is_in_driver) is_known = false;
+    const bool is_depth_only = !writes_color(ctx_);
+    const bool lacks_count = !is_known && !counters_.counts_primitives() && can_count();
+    const bool goes_on = is_window_open_ && !window_.is_apart && !lacks_count &&
+                         is_depth_only == window_.is_depth_only &&
+                         draws_in_query(ctx_) == window_.is_of_query && window_.batches.size() < kMostBatches;
+    if (!goes_on) {
+        pause();
+        open_window(draws_in_query(ctx_), is_depth_only);
+    }
+    window_.batches.push_back({triangles, is_known, needs_copy(source)});
+    if (!goes_on) count();
+}
+
+void DeviceTime::draw_apart(std::uint64_t triangles, bool is_known, VertexSource source) {
+    pause();
+    open_window(true, !writes_color(ctx_));
+    window_.is_apart = true;
+    window_.batches.push_back({triangles, is_known, needs_copy(source)});
+}
+
+void DeviceTime::clear(std::uint64_t pixels, std::uint32_t samples) {
+    pause();
+    keep({.kind = Kind::kClear, .count = samples, .amount = pixels});
+}
+
+void DeviceTime::read_back(std::uint64_t pixels) {
+    settle();
+    timeline_.read(pixels);
+}
+
+void DeviceTime::copy_to_buffer(std::uint64_t pixels) {
+    pause();
+    keep({.kind = Kind::kCopy, .amount = pixels});
+}
+
+void DeviceTime::ask_about_shapes(std::uint64_t count) {
+    shapes_ = count;
+}
+
+void DeviceTime::ask_about_regions(std::uint64_t count, std::uint64_t pixels) {
+    regions_ = count;
+    region_pixels_ = pixels;
+}
+
+void DeviceTime::wait_on_gpu(Tick ticket) {
+    pause();
+    keep({.kind = Kind::kCondition, .amount = ticket});
+}
+
+void DeviceTime::work(std::uint64_t nanoseconds) {
+    pause();
+    keep({.kind = Kind::kWork, .amount = nanoseconds});
+}
+
+void DeviceTime::finish() {
+    settle();
+    timeline_.finish();
+}
+
+void DeviceTime::swap(std::uint64_t pixels) {
+    settle();
+    last_frame_ = timeline_.swap(pixels);
+    drop_seen();
+}
+
+DeviceTime::Tick DeviceTime::stamp() {
+    pause();
+    keep({.kind = Kind::kStamp, .amount = last_ticket_ + 1});
+    return ++last_ticket_;
+}
+
+std::uint64_t DeviceTime::stamped_ns(Tick ticket) {
+    settle();
+    const auto found = stamps_.find(ticket);
+    return found == stamps_.end() ? 0 : static_cast<std::uint64_t>(found->second) / kPicosecondsPerNanosecond;
+}
+
+std::uint64_t DeviceTime::now_ns() {
+    settle();
+    return static_cast<std::uint64_t>(timeline_.cpu()) / kPicosecondsPerNanosecond;
+}
+
+DeviceTime::Tick DeviceTime::end_query() {
+    pause();
+    if (regions_ != 0) {
+        keep({.kind = Kind::kRegions,
+              .count = std::exchange(regions_, 0),
+              .amount = std::exchange(region_pixels_, 0)});
+    } else {
+        keep({.kind = Kind::kQuery,
+              .count = std::exchange(shapes_, 1),
+              .windows = std::exchange(query_windows_, {})});
+    }
+    return ++last_ticket_;
+}
+
+bool DeviceTime::poll(Tick ticket) {
+    settle();
+    timeline_.poll(time_of(ticket).query);
+    return has_come(ticket);
+}
+
+bool DeviceTime::has_come(Tick ticket) {
+    settle();
+    return timeline_.has_come(time_of(ticket));
+}
+
+void DeviceTime::wait_for(Tick ticket) {
+    settle();
+    timeline_.wait(time_of(ticket));
+    drop_seen();
+}
+
+bool DeviceTime::wait_for(Tick ticket, std::uint64_t most_ns) {
+    settle();
+    const ResultTime result = time_of(ticket);
+    // Times are far below 2^62, so the sum does not overflow.
+    constexpr std::uint64_t kLongest = std::uint64_t{1} << 52;
+    const auto most = static_cast<Picoseconds>(std::min(most_ns, kLongest) * kPicosecondsPerNanosecond);
+    const Picoseconds end = timeline_.cpu() + most;
+    if (result.available > end) {
+        timeline_.wait_until(end, result.query);
+        return false;
+    }
+    timeline_.wait(result);
+    return true;
+}
+
+void DeviceTime::settle() {
+    if (kept_.empty() && !is_window_open_) return;
+    if (ctx_.is_between_begin_and_end()) return;
+    const ListPause pause_of_list(ctx_);
+    pause();
+    std::vector<Command> commands = std::exchange(kept_, {});
+    for (Command& command : commands) execute(command);
+    // The room is used again.
+    commands.clear();
+    if (kept_.empty()) kept_ = std::move(commands);
+}
+
+void DeviceTime::execute(Command& command) {
+    switch (command.kind) {
+        case Kind::kDraws:
+            return execute_draws(command.windows.front());
+        case Kind::kQuery:
+            return execute_query(command.windows, command.count);
+        case Kind::kRegions:
+            results_.push_back(timeline_.regions(command.count, command.amount));
+            return;
+        case Kind::kClear:
+            return timeline_.clear(command.amount, static_cast<std::uint32_t>(command.count));
+        case Kind::kCopy:
+            return timeline_.copy(command.amount);
+        case Kind::kCondition:
+            return timeline_.wait_on_gpu(time_of(command.amount));
+        case Kind::kWork:
+            return timeline_.work(static_cast<Picoseconds>(std::min(command.amount, std::uint64_t{1} << 50) *
+                                                           kPicosecondsPerNanosecond));
+        case Kind::kStamp: {
+            const ResultTime stamp = timeline_.stamp();
+            stamps_[command.amount] = stamp.done;
+            results_.push_back(stamp);
+            return;
+        }
+    }
+}
+
+DeviceTime::Counted DeviceTime::take_counts(WorkWindow& window) {
+    Counted counted;
+    std::uint64_t untold = 0;
+    if (window.counted.fragments != 0 || window.counted.primitives != 0) {
+        const OwnCalls own(ctx_);
+        counted.fragments = counters_.take(ctx_, window.counted.fragments);
+        untold = counters_.take(ctx_, window.counted.primitives);
+    }
+    std::uint64_t unknown_batches = 0;
+    for (const DrawnBatch& batch : window.batches) {
+        if (!batch.is_known) ++unknown_batches;
+        if (batch.is_known) untold -= std::min(untold, batch.triangles);
+    }
+    for (DrawnBatch& batch : window.batches) {
+        if (!batch.is_known) {
+            batch.triangles = share(untold, 1, unknown_batches--);
+            untold -= batch.triangles;
+        }
+        counted.triangles += batch.triangles;
+        if (batch.is_copied) counted.copied_triangles += batch.triangles;
+    }
+    return counted;
+}
+
+// Fragments are shared out by triangles: the driver counts them together.
+void DeviceTime::execute_draws(WorkWindow& window) {
+    const Counted counted = take_counts(window);
+    std::uint64_t fragments_left = counted.fragments;
+    std::uint64_t triangles_left = counted.triangles;
+    std::uint64_t batches_left = window.batches.size();
+    for (const DrawnBatch& batch : window.batches) {
+        const std::uint64_t fragments = triangles_left != 0
+                                            ? share(fragments_left, batch.triangles, triangles_left)
+                                            : share(fragments_left, 1, batches_left);
+        fragments_left -= fragments;
+        triangles_left -= batch.triangles;
+        --batches_left;
+        timeline_.draw({.triangles = batch.triangles,
+                        .copied_triangles = batch.is_copied ? batch.triangles : 0,
+                        .fragments = {fragments, window.samples, window.is_depth_only}});
+    }
+}
+
+void DeviceTime::execute_query(std::vector<WorkWindow>& windows, std::uint64_t shapes) {
+    DrawWork work;
+    work.batches = 0;
+    work.fragments.is_depth_only = true;
+    for (WorkWindow& window : windows) {
+        const Counted counted = take_counts(window);
+        work.batches += window.batches.size();
+        work.triangles += counted.triangles;
+        work.copied_triangles += counted.copied_triangles;
+        work.fragments.count += counted.fragments;
+        work.fragments.samples = std::max(work.fragments.samples, window.samples);
+        work.fragments.is_depth_only = work.fragments.is_depth_only && window.is_depth_only;
+    }
+    // More than a bounding volume is drawn for its own sake.
+    if (work.triangles > kVolumeTriangles * shapes) {
+        timeline_.draw(work);
+        work.fragments = {};
+    }
+    results_.push_back(timeline_.query(work.fragments, shapes));
+}
+
+ResultTime DeviceTime::time_of(Tick ticket) const {
+    if (ticket < first_result_) return {};  // seen long ago
+    const Tick at = ticket - first_result_;
+    // Not worked off yet, which only happens between Begin and End.
+    if (at >= results_.size()) return {.query = 0, .done = INT64_MAX, .available = INT64_MAX};
+    return results_[at];
+}
+
+void DeviceTime::drop_seen() {
+    while (!results_.empty() && timeline_.has_come(results_.front())) {
+        results_.pop_front();
+        ++first_result_;
+    }
+}
+
+void DeviceTime::leave_to_program(GLenum target, bool is_programs) {
+    pause();
+    counters_.leave_to_program(target, is_programs);
+}
+
+}  // namespace glext_emu
