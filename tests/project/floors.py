@@ -53,6 +53,7 @@ FLOORS = {
     "apps": ({"apps"}, CLIENT),
     "apps/scene": (set(), CLIENT),
     "apps/hierarchy": ({"apps/scene"}, CLIENT),
+    "apps/calibrate": ({"apps"}, CLIENT | {"khronos"}),
     "apps/oracle": ({"apps"}, CLIENT | {"khronos"}),
     "apps/platform": ({"apps"}, CLIENT | {"khronos", "x11"}),
     "apps/query": ({"apps"}, CLIENT | {"khronos"}),

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What the benchmarks are made of. GL does them (Stage), and the model says how long they should take
+// (Model): a mix that is checked is written once and given to both.
+#pragma once
+
+#include <cstddef>
+
+namespace apps {
+
+/// Meshes are grids of kMeshColumns by kMeshRows quads, two triangles each, and a draw takes their first
+/// triangles.
+constexpr int kMeshColumns = 64;
+constexpr int kMeshRows = 128;
+constexpr int kMeshTriangles = 2 * kMeshColumns * kMeshRows;
+
+enum class MeshSize {
+    kSubPixel,  // over 16 x 16 pixels: nothing but vertices
+    kPixels,    // over 512 x 512: sixteen pixels a triangle
+};
+
+constexpr double mesh_extent(MeshSize size) {
+    return size == MeshSize::kSubPixel ? 16 : 512;
+}
+
+constexpr double fragments_of(int triangles, MeshSize size) {
+    return mesh_extent(size) * mesh_extent(size) * triangles / kMeshTriangles;
+}
+
+/// A box is drawn as the cullers draw theirs, front and back, and we look straight at one face.
+constexpr double box_fragments(int side) {
+    return 2.0 * side * side;
+}
+
+class Commands {
+  public:
+    virtual ~Commands() = default;
+
+    /// Draws the first <triangles> triangles, two at least, of a mesh in buffer objects.
+    virtual void mesh(int triangles, MeshSize size) = 0;
+    /// Two triangles with colour and depth, all of whose fragments pass: <eighths> of the window, 1 to 8,
+    /// each way.
+    virtual void quad(int eighths) = 0;
+    /// The next query, from 0: a box of side x side pixels that writes nothing.
+    virtual void query(int side) = 0;
+    virtual void wait(std::size_t query) = 0;
+    /// Depths of side x side pixels to the CPU.
+    virtual void read(int side) = 0;
+    /// Colour and depth of the window.
+    virtual void clear() = 0;
+    virtual void finish() = 0;
+};
+
+}  // namespace apps
