@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "occlusion_unit/record_arithmetic.h"
 
+#include <cmath>
+
 #include <algorithm>
 
 namespace occlusion_unit {
@@ -29,6 +31,15 @@ Record merged(const Record& a, const Record& b, FarEnd end) {
     record.box = united(a.box, b.box);
     record.registers = a.registers & b.registers;
     return record;
+}
+
+float quantised(float depth, int bits, bool towards_one) {
+    if (!(depth > 0.0f && depth < 1.0f)) return depth;
+    const double steps = static_cast<double>(largest_count(bits));
+    const double exact = static_cast<double>(depth) * steps;
+    // A float is seldom the value itself: it is where the nearest value becomes this float.
+    if (static_cast<float>(std::nearbyint(exact) / steps) == depth) return depth;
+    return static_cast<float>((towards_one ? std::ceil(exact) : std::floor(exact)) / steps);
 }
 
 Record saturated(Record record, int bits) {

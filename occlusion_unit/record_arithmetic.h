@@ -53,6 +53,10 @@ Record merged(const Record& a, const Record& b, FarEnd end);
 // The counters stop at the largest value of <bits>; nothing else changes.
 Record saturated(Record record, int bits);
 
+// What a fixed-point depth register of <bits> (1..32) holds of <depth>, in [0, 1]: <depth> itself where it is
+// one of its values, else the next of them towards one or zero.
+float quantised(float depth, int bits, bool towards_one);
+
 // As a record is reported: the flag is set where visible hits were counted, too; what is not among
 // record.registers is 0, the box then empty.
 Record finished(const Record& record, FarEnd end);

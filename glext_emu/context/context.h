@@ -18,10 +18,12 @@
 #include "context/depth_reader.h"
 #include "context/device.h"
 #include "context/device_time.h"
+#include "context/discard_scope.h"
 #include "context/display_lists.h"
 #include "context/draw_surface.h"
 #include "context/frame_counts.h"
 #include "context/instruments.h"
+#include "context/narrowing.h"
 #include "context/occlusion_slot.h"
 #include "context/private_copy.h"
 #include "context/probe.h"
@@ -104,6 +106,7 @@ struct Context {
     bool inside_begin_end = false;       // as far as Begin, which may have failed, and End tell
     GLuint collected_primitive = 0;      // the driver's list of a Begin and End that are to be repeated
     GLenum collected_mode = 0;           // of that Begin
+    std::optional<DiscardScope> dry_primitive;  // around a Begin and End under --dry
     GLint list_base = 0;  // while inside Begin/End, where it can neither change nor be asked for
     ListRecording recording;
     std::vector<SavedEnable> attrib_stack;
@@ -120,6 +123,7 @@ struct Context {
     std::unique_ptr<DeviceTime> time;  // null but under the device's clock
     occlusion_unit::Clock clock;
     FrameCounts frame;
+    Narrowing narrowing;
 
   private:
     bool confirm_begin_end();

@@ -5,11 +5,14 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <random>
 
 #include "context/context.h"
 #include "context/depth_bounds.h"
+#include "context/repetition.h"
 #include "context/saved_state.h"
+#include "context/unit_run.h"
 #include "context/unit_stages.h"
 
 namespace glext_emu {
@@ -105,29 +108,58 @@ layout(std430) buffer Marks { float depths[]; };
 void main() { gl_FragDepth = depths[int(gl_FragCoord.x)]; }
 )";
 
+// Inside this scope no query counts samples.
+class Uncounted {
+  public:
+    explicit Uncounted(Context& ctx) : ctx_(ctx), has_segment_(ctx.slot.open_segment != 0) {
+        if (ctx.proposed.run != nullptr) ctx.proposed.run->close_segment(ctx);
+        pause_.emplace(ctx);
+    }
+    ~Uncounted() {
+        pause_.reset();
+        if (has_segment_) open_segment(ctx_);
+    }
+    Uncounted(const Uncounted&) = delete;
+    Uncounted& operator=(const Uncounted&) = delete;
+
+  private:
+    Context& ctx_;
+    bool has_segment_;
+    std::optional<CountPause> pause_;
+};
+
 }  // namespace
 
-void DepthQuantiser::quantise(Context& ctx, const DepthPrecision& format, occlusion_unit::FarEnd far_end,
+void DepthQuantiser::prepare(Context& ctx, const DepthPrecision& format) {
+    const bool is_known = format.is_float || format.bits == 0 || formulas_.contains(format);
+    if (!is_known && !counts_draws(ctx)) learn(ctx, format);
+}
+
+bool DepthQuantiser::quantise(Context& ctx, const DepthPrecision& format, occlusion_unit::FarEnd far_end,
                               std::span<float> depths) {
-    if (format.is_float || format.bits == 0) return;
+    if (format.is_float || format.bits == 0 || depths.empty()) return true;
+    prepare(ctx, format);
     const auto known = formulas_.find(format);
-    const Formula formula = known != formulas_.end() ? known->second : learn(ctx, format);
+    if (known == formulas_.end()) return false;
+    const Formula formula = known->second;
     const DepthEnd near = far_end == occlusion_unit::FarEnd::kOne ? DepthEnd::kLeast : DepthEnd::kGreatest;
     const auto as_float = [&](std::uint32_t held) {
         return depth_as_float(depth_format(format), near, held);
     };
     if (formula != nullptr) {
         for (float& depth : depths) depth = as_float(formula(depth, format.bits));
-        return;
+        return true;
     }
+    if (counts_draws(ctx)) return false;
     for (std::size_t first = 0; first < depths.size(); first += kRow) {
         const std::span<float> row = depths.subspan(first, std::min(kRow, depths.size() - first));
         const std::vector<std::uint32_t> held = draw(ctx, format, row);
         for (std::size_t i = 0; i < row.size(); ++i) row[i] = as_float(held[i]);
     }
+    return true;
 }
 
-DepthQuantiser::Formula DepthQuantiser::learn(Context& ctx, const DepthPrecision& format) {
+void DepthQuantiser::learn(Context& ctx, const DepthPrecision& format) {
     const std::vector<float> depths = probes(format.bits);
     const std::vector<std::uint32_t> held = draw(ctx, format, depths);
     Formula& formula = formulas_[format];
@@ -137,7 +169,6 @@ DepthQuantiser::Formula DepthQuantiser::learn(Context& ctx, const DepthPrecision
         };
         if (formula == nullptr && std::ranges::equal(depths, held, agrees)) formula = candidate;
     }
-    return formula;
 }
 
 // The integers that a buffer of <format> holds after <depths>, at most kRow of them, were written to it.
@@ -146,6 +177,7 @@ std::vector<std::uint32_t> DepthQuantiser::draw(Context& ctx, const DepthPrecisi
     const OwnCalls own(ctx);
     const RealGl& real = *ctx.real;
     const auto width = static_cast<GLsizei>(depths.size());
+    const Uncounted uncounted(ctx);
     SavedState state(ctx);
     state.draw_unconditionally();
     state.draw_plain_polygons();

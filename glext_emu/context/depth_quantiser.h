@@ -31,15 +31,18 @@ class DepthQuantiser {
   public:
     // Replaces each of <depths>, in [0, 1], by the float that ReadPixels returns once it is written; of a
     // format that is finer than a float, by the next one towards the near end. Waits for the driver the first
-    // time, and where no formula is known.
-    void quantise(Context& ctx, const DepthPrecision& format, occlusion_unit::FarEnd far_end,
-                  std::span<float> depths);
+    // time, and where no formula is known. False where the driver cannot be asked now, since a query of the
+    // program's counts primitives or invocations; then <depths> stay.
+    [[nodiscard]] bool quantise(Context& ctx, const DepthPrecision& format, occlusion_unit::FarEnd far_end,
+                                std::span<float> depths);
+    // Asks the driver at once about a format that is not known, if it can be asked now.
+    void prepare(Context& ctx, const DepthPrecision& format);
 
   private:
     // The integer that a buffer of <bits> holds.
     using Formula = std::uint32_t (*)(float depth, int bits);
 
-    Formula learn(Context& ctx, const DepthPrecision& format);
+    void learn(Context& ctx, const DepthPrecision& format);
     std::vector<std::uint32_t> draw(Context& ctx, const DepthPrecision& format,
                                     std::span<const float> depths);
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "context/device_time.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 #include "context/context.h"
@@ -69,6 +72,15 @@ bool reads_client_memory(const Context& ctx) {
 
 }  // namespace
 
+void need_pixels(const char* command) {
+    if (!settings().is_dry) return;
+    std::fprintf(stderr,
+                 "glext_emu: --dry rasterises nothing, and this program asks by %s for what was; run it "
+                 "without.\n",
+                 command);
+    _exit(2);
+}
+
 DeviceTime::DeviceTime(Context& ctx)
     : ctx_(ctx),
       profile_(settings().device.time->profile),
@@ -78,7 +90,7 @@ DeviceTime::DeviceTime(Context& ctx)
 
 void DeviceTime::initialise(bool has_fragment_counts) {
     const bool has_cost = profile_.fragment != 0 || profile_.depth_fragment != 0;
-    counts_fragments_ = has_fragment_counts && has_cost && has(Effect::kFill);
+    counts_fragments_ = has_fragment_counts && has_cost && has(Effect::kFill) && !settings().is_dry;
 }
 
 // Queries are compiled into lists, and are errors between Begin and End.
@@ -395,6 +407,15 @@ void DeviceTime::drop_seen() {
 void DeviceTime::leave_to_program(GLenum target, bool is_programs) {
     pause();
     counters_.leave_to_program(target, is_programs);
+}
+
+DiscardScope::DiscardScope(Context& ctx)
+    : ctx_(ctx), was_on_(ctx.real->glIsEnabled(GL_RASTERIZER_DISCARD) != GL_FALSE) {
+    if (!was_on_) ctx_.real->glEnable(GL_RASTERIZER_DISCARD);
+}
+
+DiscardScope::~DiscardScope() {
+    if (!was_on_) ctx_.real->glDisable(GL_RASTERIZER_DISCARD);
 }
 
 }  // namespace glext_emu

@@ -48,6 +48,10 @@ struct WorkWindow {
     std::uint32_t samples = 1;
 };
 
+// Under --dry nothing is rasterised: a program that asks for what was, by <command>, is told so in a sentence
+// and ends with status 2, since no answer would be true.
+void need_pixels(const char* command);
+
 class DeviceTime final : public occlusion_unit::ResultTimes {
   public:
     using Tick = occlusion_unit::Tick;

@@ -125,6 +125,7 @@ void open_segment(Context& ctx) {
     const bool is_counted = slot.counters != 0;
     slot.open_target = is_counted ? GL_SAMPLES_PASSED : segment_target(ctx);
     const GLuint name = is_counted ? take_counter(ctx) : take_name(ctx, slot.spare);
+    need_pixels("an occlusion test");
     if (ctx.time != nullptr) ctx.time->begin_query();
     ctx.real->glBeginQuery(slot.open_target, name);
     slot.open_segment = name;

@@ -258,7 +258,6 @@ std::optional<Record> PrivateCopy::read(Context& ctx, SavedState& saved, const M
     if (rect.is_empty()) return record;
     saved.read_plainly();
     saved.bind_read_framebuffer(shape.layers != 0 ? layer_reader : framebuffer);
-    real.glPixelStorei(GL_PACK_ALIGNMENT, 1);
     const bool reads_depth = plan.can_tell_depth && shape.depth_bits != 0;
     const int samples = std::max(shape.samples, 1);
     std::vector<std::uint8_t> flags;

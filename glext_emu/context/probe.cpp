@@ -35,7 +35,7 @@ void add_programs_count(Context& ctx, const ProbedQuery& query, occlusion_unit::
     } else {
         record.registers &= ~GLbitfield{GL_VISIBLE_HITS_BIT_EMU};
     }
-    record = saturated(record, settings().device.unit_counter_bits.value_or(64));
+    record = narrowed(ctx, record, query.run->far_end());
 }
 
 void tell(Context& ctx, ProbedQuery& query) {

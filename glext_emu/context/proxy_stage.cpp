@@ -143,26 +143,26 @@ bool ProxyMarks::writes_nothing(Context& ctx, const FragmentTests& tests) {
     return true;
 }
 
-ProxyMarks::Sheet& ProxyMarks::sheet_for(Context& ctx) {
+void ProxyMarks::aim(Context& ctx) {
+    const OwnCalls own(ctx);
     const FramebufferInfo info = draw_framebuffer_info(ctx);
     const DepthPrecision precision{info.depth_bits, info.has_float_depth};
     const GLint size = std::max(info.width, info.height);
     const bool fits =
         !sheets_.empty() && sheets_.back().size >= size && sheets_.back().precision == precision;
-    if (fits) return sheets_.back();
+    if (fits) return;
+    if ((registers_ & GL_NEAREST_DEPTH_BIT_EMU) != 0) unit_stages(ctx).quantiser.prepare(ctx, precision);
     const auto bytes = static_cast<GLsizeiptr>(kHeaderWords + 2 * size) * GLsizeiptr{sizeof(GLuint)};
     const ResultBuffers::Buffer buffer = unit_stages(ctx).results.take(ctx, bytes);
     ctx.real->glClearNamedBufferSubData(buffer.name, GL_R32UI, 0, bytes, GL_RED_INTEGER, GL_UNSIGNED_INT,
                                         nullptr);
     sheets_.push_back({buffer, size, precision});
-    return sheets_.back();
 }
 
 void ProxyMarks::begin_draw(Context& ctx) {
     const OwnCalls own(ctx);
-    const Sheet& sheet = sheet_for(ctx);
     const GLuint program = proxy_program(ctx, marks_of(registers_, far_end_));
-    binding_.bind(ctx, program, sheet.buffer.name);
+    binding_.bind(ctx, program, sheets_.back().buffer.name);
     ctx.real->glUseProgram(program);
 }
 
@@ -196,8 +196,11 @@ occlusion_unit::Record ProxyMarks::read(Context& ctx, const Sheet& sheet) const 
     occlusion_unit::Record marks = occlusion_unit::empty_record(occlusion_unit::kAllRegisters, far_end_);
     if (words[0] != 0 && sheet.precision.bits != 0) {
         float depth = std::bit_cast<float>(far_end_ == FarEnd::kOne ? ~words[0] : words[0]);
-        unit_stages(ctx).quantiser.quantise(ctx, sheet.precision, far_end_, {&depth, 1});
-        marks.nearest_depth = depth;
+        if (unit_stages(ctx).quantiser.quantise(ctx, sheet.precision, far_end_, {&depth, 1})) {
+            marks.nearest_depth = depth;
+        } else {
+            marks.registers &= ~GLbitfield{GL_NEAREST_DEPTH_BIT_EMU};
+        }
     }
     for (GLint i = 0; i < sheet.size; ++i) {
         const auto at = static_cast<std::size_t>(kHeaderWords + 2 * i);

@@ -30,6 +30,11 @@ class ProxyMarks final : public DriverMarks {
     // True where a draw changes neither colour nor depth nor stencil.
     static bool writes_nothing(Context& ctx, const FragmentTests& tests);
 
+    // Before begin_draw, while nothing is counted for this draw: takes memory for marks of the draw
+    // framebuffer.
+    void aim(Context& ctx);
+    // That it has a depth buffer.
+    bool has_depth() const { return sheets_.back().precision.bits != 0; }
     // Around one call of the driver's that draws and writes nothing, not between Begin and End; only where
     // serves. Binds the stage and the marks, and undoes it.
     void begin_draw(Context& ctx);
@@ -48,7 +53,6 @@ class ProxyMarks final : public DriverMarks {
         DepthPrecision precision;
     };
 
-    Sheet& sheet_for(Context& ctx);
     occlusion_unit::Record read(Context& ctx, const Sheet& sheet) const;
 
     GLbitfield registers_;

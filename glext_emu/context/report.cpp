@@ -13,6 +13,7 @@
 #include <cstring>
 
 #include "context/contexts.h"
+#include "context/effect_tallies.h"
 #include "context/probe.h"
 #include "context/settings.h"
 
@@ -202,6 +203,20 @@ void Report::add_probe(const Context& ctx, const ProbedQuery& query, const occlu
            ",\"screen_box\":" + known(occlusion_unit::kScreenBox, corners) + "}");
 }
 
+void Report::add_effects(const Context& ctx) {
+    for (const EffectTally& tally : tally_effects(ctx)) {
+        const char* const is_called_for = !tally.is_called_for   ? "null"
+                                          : *tally.is_called_for ? "true"
+                                                                 : "false";
+        append("{\"kind\":\"effect\",\"pid\":" + std::to_string(getpid()) +
+               ",\"context\":" + std::to_string(ctx.number) + ",\"effect\":\"" +
+               std::string(occlusion_unit::kEffectNames[static_cast<std::size_t>(tally.effect)]) +
+               "\",\"on\":" + (tally.is_on ? "true" : "false") + ",\"called_for\":" + is_called_for +
+               ",\"reason\":" + json_string(tally.reason.c_str()) +
+               ",\"ms\":" + (tally.time ? milliseconds(*tally.time) : "null") + "}");
+    }
+}
+
 void Report::end_frame(Context& ctx) {
     if (!is_wanted()) return;
     add_frame(ctx);
@@ -211,6 +226,7 @@ void Report::end_frame(Context& ctx) {
 void Report::end_context(Context& ctx) {
     if (!is_wanted() || !ctx.is_initialised) return;
     if (!ctx.frame.is_empty()) end_frame(ctx);
+    if (ctx.time != nullptr) add_effects(ctx);
     flush();
 }
 

@@ -20,6 +20,11 @@ void SavedState::set(GLenum cap, bool is_on) {
     const RealGl& real = *ctx_.real;
     const bool was_on = real.glIsEnabled(cap) != GL_FALSE;
     if (was_on == is_on) return;
+    // Each viewport has its own; Enable would set them all.
+    if (cap == GL_SCISSOR_TEST && ctx_.kind.version >= GlVersion{4, 1}) {
+        (is_on ? real.glEnablei : real.glDisablei)(cap, 0);
+        return undo([&real, cap, was_on] { (was_on ? real.glEnablei : real.glDisablei)(cap, 0); });
+    }
     (is_on ? real.glEnable : real.glDisable)(cap);
     undo([&real, cap, was_on] { (was_on ? real.glEnable : real.glDisable)(cap); });
 }
@@ -209,17 +214,16 @@ void SavedState::read_plainly() {
         GLenum name;
         GLint plain;
     };
-    static constexpr Setting kPacking[] = {{GL_PACK_SWAP_BYTES, 0},
-                                           {GL_PACK_ROW_LENGTH, 0},
-                                           {GL_PACK_SKIP_ROWS, 0},
-                                           {GL_PACK_SKIP_PIXELS, 0},
-                                           {GL_PACK_ALIGNMENT, 4}};
+    static constexpr Setting kPacking[] = {{GL_PACK_SWAP_BYTES, 0},  {GL_PACK_ROW_LENGTH, 0},
+                                           {GL_PACK_SKIP_ROWS, 0},   {GL_PACK_SKIP_PIXELS, 0},
+                                           {GL_PACK_INVERT_MESA, 0}, {GL_PACK_ALIGNMENT, 1}};
     for (const auto& [name, plain] : kPacking) {
         const GLint was = get(name);
         if (was == plain) continue;
         real.glPixelStorei(name, plain);
         undo([&real, name, was] { real.glPixelStorei(name, was); });
     }
+    real.glGetError();  // of a driver without GL_MESA_pack_invert
     if (!ctx_.kind.is_compatibility()) return;
     static constexpr Setting kTransfer[] = {
         {GL_DEPTH_SCALE, 1}, {GL_DEPTH_BIAS, 0}, {GL_RED_SCALE, 1}, {GL_RED_BIAS, 0}, {GL_MAP_COLOR, 0}};

@@ -20,6 +20,7 @@ class SavedState {
     SavedState(const SavedState&) = delete;
     SavedState& operator=(const SavedState&) = delete;
 
+    // Of the first viewport, where each has its own.
     void set(GLenum cap, bool is_on);
     // What would discard or record a draw, or tell the program of it: conditional rendering, transform
     // feedback, rasterizer discard, debug output.
@@ -43,7 +44,8 @@ class SavedState {
     void bind_draw_framebuffer(GLuint framebuffer);
     void bind_read_framebuffer(GLuint framebuffer);
     void viewport(GLsizei width, GLsizei height);
-    // ReadPixels writes rows without a gap to client memory, depths and reds as they are.
+    // ReadPixels writes rows from the lowest, without a gap, to client memory, depths and reds as they are.
+    // Only inside OwnCalls.
     void read_plainly();
 
   private:

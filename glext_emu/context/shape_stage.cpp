@@ -185,6 +185,7 @@ void ShapeRun::draw(Context& ctx, const Shapes& shapes, const FramebufferInfo& f
     const bool has_multisampling =
         framebuffer.samples > 1 && ctx.real->glIsEnabled(GL_MULTISAMPLE) != GL_FALSE;
     precision_ = {framebuffer.depth_bits, framebuffer.has_float_depth};
+    if ((registers_ & GL_NEAREST_DEPTH_BIT_EMU) != 0) unit_stages(ctx).quantiser.prepare(ctx, precision_);
     is_per_sample_ = has_multisampling;
     // Without MULTISAMPLE a fragment stands for all samples of its pixel.
     if (framebuffer.samples > 1 && !has_multisampling) {
@@ -323,10 +324,9 @@ void ShapeRun::drain(Context& ctx, std::vector<occlusion_unit::Record>& records)
     for (Sheet& sheet : sheets_) read(ctx, sheet);
     sheets_.clear();
     drop(ctx);
-    const int bits = settings().device.unit_counter_bits.value_or(64);
     for (occlusion_unit::Record& record : records_) {
         record.registers = registers_;
-        record = saturated(finished(record, far_end_), bits);
+        record = narrowed(ctx, finished(record, far_end_), far_end_);
     }
     records.insert(records.end(), records_.begin(), records_.end());
 }
@@ -366,7 +366,9 @@ void ShapeRun::read(Context& ctx, Sheet& sheet) {
             bounds.left + static_cast<std::int32_t>(first), bounds.bottom + static_cast<std::int32_t>(lowest),
             bounds.left + length(columns, bounds.width) - 1, bounds.bottom + length(rows, bounds.height) - 1};
     }
-    unit_stages(ctx).quantiser.quantise(ctx, precision_, far_end_, depths);
+    if (!unit_stages(ctx).quantiser.quantise(ctx, precision_, far_end_, depths)) {
+        registers_ &= ~GLbitfield{GL_NEAREST_DEPTH_BIT_EMU};
+    }
     auto depth = depths.begin();
     for (GLsizei i = 0; i < sheet.count && depth != depths.end(); ++i) {
         if (words[static_cast<std::size_t>(kHeaderWords * i + 2)] == 0) continue;

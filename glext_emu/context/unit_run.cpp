@@ -67,9 +67,8 @@ void UnitRun::drain(Context& ctx, std::vector<occlusion_unit::Record>& records) 
         driver_marks_.reset();
     }
     occlusion_unit::Record record = counted_;
-    record.registers = armed_ & determined_;
-    const int bits = settings().device.unit_counter_bits.value_or(64);
-    records.push_back(saturated(finished(record, far_end_), bits));
+    record.registers &= armed_ & determined_;
+    records.push_back(narrowed(ctx, finished(record, far_end_), far_end_));
 }
 
 void UnitRun::drop(Context& ctx) {

@@ -33,7 +33,7 @@ struct Segment {
 struct DriverMarks {
     virtual ~DriverMarks() = default;
     virtual bool is_ready(Context& ctx) = 0;
-    // Waits. Nearest depth and screen box of what was marked.
+    // Waits. Nearest depth and screen box of what was marked, as far as its registers say.
     virtual occlusion_unit::Record drain(Context& ctx) = 0;
     virtual void drop(Context& ctx) = 0;
 };

@@ -52,6 +52,12 @@ std::optional<Question> question_of(Context& ctx, GLenum pname, GLsizei count, c
     return question;
 }
 
+// As a device's narrower register holds it, still a bound.
+float held_depth(Context& ctx, float depth, DepthEnd end) {
+    const auto bits = settings().device.region_depth_bits;
+    return bits ? narrowed_depth(ctx, depth, *bits, end == DepthEnd::kGreatest) : depth;
+}
+
 // Writes one value a region; false where the driver cannot tell, with the error raised.
 bool answer(Context& ctx, const Question& question, std::span<GLfloat> values) {
     const bool is_far_at_one = ctx.proposed.far_end == GL_ONE;
@@ -73,7 +79,7 @@ bool answer(Context& ctx, const Question& question, std::span<GLfloat> values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
         const DepthBound& bound = reader.bounds[i];
         const GLfloat state = bound.is_at_end ? 0.0F : 1.0F;
-        values[i] = question.pname == GL_REGION_OCCLUDED_EMU ? state : bound.depth;
+        values[i] = question.pname == GL_REGION_OCCLUDED_EMU ? state : held_depth(ctx, bound.depth, end);
     }
     return true;
 }
@@ -122,6 +128,7 @@ bool refuses_buffer(Context& ctx, GLsizei count, GLuint buffer, GLintptr offset)
 
 // When the answers to the question whose rectangles were read are due.
 occlusion_unit::Tick due_of_regions(Context& ctx) {
+    need_pixels("a depth region query");
     if (ctx.time != nullptr) {
         std::uint64_t pixels = 0;
         for (const Rect& rect : ctx.depth_reader.rects) pixels += static_cast<std::uint64_t>(rect.area());

@@ -53,6 +53,7 @@ void note_read(Context& ctx, GLsizei width, GLsizei height) {
 template <class Call>
 void read_by(Context& ctx, GLsizei width, GLsizei height, Call call) {
     if (ctx.time == nullptr) return call();
+    need_pixels("glReadPixels");
     ctx.time->pause();
     if (driver_accepts(ctx, call) && width > 0 && height > 0) note_read(ctx, width, height);
 }

@@ -2,7 +2,9 @@
 // What happens around a draw: the HP test's segment is opened when the first draw needs it, so that enabling
 // the test costs nothing; the report counts; and what the Occlusion Unit watches is drawn in a way that can
 // be repeated.
+#include "context/discard_scope.h"
 #include "context/framebuffer_info.h"
+#include "context/settings.h"
 #include "context/unit_run.h"
 #include "features/features.h"
 #include "features/list_recorder.h"
@@ -102,7 +104,13 @@ void draw(Context& ctx, Triangles triangles, DrawCall call) {
     before_draw(ctx, triangles);
     if (ctx.proposed.run != nullptr && !ctx.recording.is_open()) [[unlikely]]
         return draw_watched(ctx, triangles, call);
-    if (ctx.time != nullptr) ctx.time->draw(triangles.count, triangles.is_known, source_of(triangles.kind));
+    if (ctx.time == nullptr) [[likely]]
+        return call();
+    ctx.time->draw(triangles.count, triangles.is_known, source_of(triangles.kind));
+    if (!settings().is_dry) return call();
+    // Only the driver knows how many triangles there are.
+    if (triangles.is_known) return;
+    const DiscardScope discards(ctx);
     call();
 }
 
@@ -146,6 +154,7 @@ void begin(Context& ctx, GLenum mode) {
         if (ctx.collected_primitive == 0) {
             before_draw(ctx, unknown());
             if (ctx.time != nullptr) ctx.time->draw(0, false, VertexSource::kImmediate);
+            if (settings().is_dry) ctx.dry_primitive.emplace(ctx);
         }
         remember_list_base(ctx);
         ctx.set_inside_begin_end(true);
@@ -163,6 +172,7 @@ void end(Context& ctx) {
     if (recording.is_open()) recording.follow(BeginEnd::kCloses);
     if (!recording.only_compiles()) ctx.set_inside_begin_end(false);
     if (collected == 0) ctx.real->glEnd();
+    ctx.dry_primitive.reset();
 
     if (recording.is_in_draw_step && recording.begin_end == BeginEnd::kUnchanged) {
         recording.is_in_draw_step = false;

@@ -76,6 +76,7 @@ void occlusion_unit_shapes_emu(Context& ctx, GLbitfield registers, GLenum shape,
     const FramebufferInfo framebuffer = draw_framebuffer_info(ctx);
     if (!framebuffer.is_complete) return ctx.raise(GL_INVALID_FRAMEBUFFER_OPERATION);
 
+    need_pixels("a query of the Occlusion Unit");
     ProposedQuery& query = renew_proposed_query(ctx, id, GL_OCCLUSION_UNIT_EMU);
     query.armed = registers;
     query.record_count = count;

@@ -38,6 +38,7 @@ void begin_occlusion_unit_emu(Context& ctx, GLbitfield registers, GLuint id) {
     }
     if (refuses_unit_query(ctx, registers, id)) return;
 
+    need_pixels("a query of the Occlusion Unit");
     ProposedQuery& query = renew_proposed_query(ctx, id, GL_OCCLUSION_UNIT_EMU);
     query.armed = registers;
     query.record_count = 1;

@@ -135,6 +135,7 @@ void start_query(Context& ctx, GLenum target, GLuint id) {
 
     close_segment(ctx);
     settle_probe(ctx, id);
+    need_pixels("an occlusion query");
     if (ctx.time != nullptr) ctx.time->begin_query();
     ctx.real->glBeginQuery(real, id);
     if (id == 0 || active_query(ctx, real) != id) return ctx.update_hot();

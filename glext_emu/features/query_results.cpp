@@ -38,9 +38,8 @@ T seen_count(Context& ctx, const QueryRecord& record, GLuint id) {
     if (is_timer(record.target)) return nearest<T>(device_nanoseconds(ctx, record));
     std::uint64_t count = record.earlier + record.samples_per_count * driver_count(ctx, id);
     // ARB_occlusion_query, issues: a counter that overflows stays at 2^n-1.
-    const int bits = record.target == GL_SAMPLES_PASSED ? settings().device.counter_bits.value_or(64) : 1;
-    if (bits < 64) count = std::min(count, (std::uint64_t{1} << bits) - 1);
-    return nearest<T>(count);
+    if (record.target != GL_SAMPLES_PASSED) return nearest<T>(std::min<std::uint64_t>(count, 1));
+    return nearest<T>(narrowed_count(ctx, count, settings().device.counter_bits.value_or(64)));
 }
 
 // <write> makes the driver write <pname> to <offset> of <buffer>.

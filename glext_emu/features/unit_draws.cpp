@@ -83,7 +83,10 @@ class Marking {
             const auto marks = ctx_.private_copy.mark(ctx_, tests_, plan_, run_.far_end(), draw);
             if (!marks) return run_.give_up(kMarks);
             run_.mark(*marks);
-        } else if (proxy_ != nullptr && !is_along_) {
+        }
+        if (proxy_ == nullptr) return;
+        proxy_->aim(ctx_);
+        if (!is_along_) {
             const Repetition repetition(ctx_, kind_);
             SavedState saved(ctx_);
             saved.write_nothing();
@@ -94,6 +97,8 @@ class Marking {
     }
     // True where the draw itself runs the stage that marks.
     bool runs_along() const { return proxy_ != nullptr && is_along_; }
+    // True where it runs along and a depth test is made.
+    bool runs_along_depth_test() const { return runs_along() && tests_.depth_test && proxy_->has_depth(); }
     // The draw itself.
     void draw(DrawCall call) {
         if (!runs_along()) return call();
@@ -187,7 +192,7 @@ void draw_under_unit(Context& ctx, DrawKind kind, DrawCall call) {
     marking.before(call);
     // Of fixed function that writes nothing, what is visible and what is hidden are all there is, and early
     // depth tests make short work of one of them.
-    const bool counts_hidden = marking.runs_along() && !run.watches() && tests.depth_func != GL_NEVER;
+    const bool counts_hidden = marking.runs_along_depth_test() && !run.watches();
     if (counts_projected && !counts_along) count_projected(ctx, run, tests, kind, counts_hidden, call);
     const bool draw_is_projected = run.wants(kProjected) && (counts_along || counts_hidden);
     run.count_for(ctx, counts | (draw_is_projected ? kProjected : 0), samples_per_count(ctx));
