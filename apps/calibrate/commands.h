@@ -14,16 +14,21 @@ constexpr int kMeshRows = 128;
 constexpr int kMeshTriangles = 2 * kMeshColumns * kMeshRows;
 
 enum class MeshSize {
-    kSubPixel,  // over 16 x 16 pixels: nothing but vertices
-    kPixels,    // over 512 x 512: sixteen pixels a triangle
+    kSubPixel,  // half a pixel a triangle, so that every second one makes a fragment
+    kPixels,    // sixteen pixels a triangle
 };
 
-constexpr double mesh_extent(MeshSize size) {
-    return size == MeshSize::kSubPixel ? 16 : 512;
+/// Pixels, of a quad of the mesh.
+struct QuadSize {
+    int width;
+    int height;
+};
+constexpr QuadSize quad_size(MeshSize size) {
+    return size == MeshSize::kSubPixel ? QuadSize{1, 1} : QuadSize{8, 4};
 }
 
 constexpr double fragments_of(int triangles, MeshSize size) {
-    return mesh_extent(size) * mesh_extent(size) * triangles / kMeshTriangles;
+    return 0.5 * triangles * quad_size(size).width * quad_size(size).height;
 }
 
 /// A box is drawn as the cullers draw theirs, front and back, and we look straight at one face.

@@ -44,6 +44,10 @@ Term term_of(const std::string& key, const SweepFit& fit, const std::string& way
 
 }  // namespace
 
+bool stands_out(const Term& term) {
+    return term.value > 0 && term.low > 0 && term.high - term.low < term.value;
+}
+
 Term rate_term(const std::string& key, const SweepFit& fit, const std::string& way) {
     Term term = term_of(key, fit, way);
     const auto rate = [](double slope) { return slope > 0 ? 1e6 / slope : 0; };
@@ -67,8 +71,7 @@ Term intercept_term(const std::string& key, const SweepFit& fit, double known, c
     term.value = fit.line.intercept - known;
     term.low = fit.intercept.low - known;
     term.high = fit.intercept.high - known;
-    // Half of all rounds have to agree that there is something.
-    if (term.lack.empty() && (term.value <= 0 || term.low <= 0)) term.lack = lack;
+    if (term.lack.empty() && !stands_out(term)) term.lack = lack;
     return term;
 }
 

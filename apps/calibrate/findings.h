@@ -47,6 +47,10 @@ struct Findings {
     const Term* shown(std::string_view key) const;
 };
 
+/// Whether a term that is a difference stands out: half of all rounds find it, and agree on it to its own
+/// size.
+bool stands_out(const Term& term);
+
 /// From the slope of a line, microseconds a thing: things a second.
 Term rate_term(const std::string& key, const SweepFit& fit, const std::string& way);
 /// Microseconds, `times` slope (1,000 for nanoseconds).

@@ -14,12 +14,12 @@ constexpr float kDepth = 0.5F;
 constexpr GLubyte kBoxColours[32] = {};
 
 std::vector<float> mesh_positions(MeshSize size) {
-    const double extent = mesh_extent(size);
+    const QuadSize quad = quad_size(size);
     std::vector<float> positions;
     for (int row = 0; row <= kMeshRows; ++row)
         for (int column = 0; column <= kMeshColumns; ++column) {
-            positions.push_back(static_cast<float>(extent * column / kMeshColumns));
-            positions.push_back(static_cast<float>(extent * row / kMeshRows));
+            positions.push_back(static_cast<float>(quad.width * column));
+            positions.push_back(static_cast<float>(quad.height * row));
             positions.push_back(kDepth);
         }
     return positions;
@@ -213,7 +213,10 @@ void Stage::drop_framebuffer() {
 }
 
 void Stage::use_framebuffer(int width, int height) {
+    if (width == framebuffer_width_ && height == framebuffer_height_) return;
     drop_framebuffer();
+    framebuffer_width_ = width;
+    framebuffer_height_ = height;
     if (width == 0) {
         set_view(width_, height_);
         return;

@@ -81,6 +81,7 @@ class Stage final : public Commands {
     PFNGLGETQUERYOBJECTUIVPROC get_query_object_ = nullptr;
     Framebuffers framebuffers_;
     GLuint framebuffer_ = 0;
+    int framebuffer_width_ = 0, framebuffer_height_ = 0;
     std::array<GLuint, 2> stores_{};
     std::vector<GLuint> buffers_;
     std::vector<GLuint> queries_;

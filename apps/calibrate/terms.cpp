@@ -68,7 +68,7 @@ void measure_draws(Bench& bench) {
     term.value -= 1000 * in_buffers.line.slope;
     term.low -= 1000 * in_buffers.slope.high;
     term.high -= 1000 * in_buffers.slope.low;
-    if (term.lack.empty() && (term.value <= 0 || term.low <= 0))
+    if (term.lack.empty() && !stands_out(term))
         term.lack = "client memory costs no more than buffers, beyond the spread of rounds";
     bench.findings.add(term);
 }
@@ -164,8 +164,8 @@ void measure_clears(Bench& bench) {
         return;
     }
     std::vector<Burst> clears;
-    for (const int quarters : {1, 2, 3, 4, 6, 8}) {
-        const int width = stage.width() * quarters / 4, height = stage.height() * quarters / 4;
+    for (const int eighths : {2, 3, 4, 5, 6, 7, 8}) {
+        const int width = stage.width() * eighths / 8, height = stage.height() * eighths / 8;
         constexpr int kClears = 4;
         clears.push_back({double(width) * height, kClears,
                           [&stage] {
