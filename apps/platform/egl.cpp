@@ -4,6 +4,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include "apps/platform/gl.h"
 #include "apps/platform/platform.h"
 
 namespace apps {
@@ -57,7 +58,10 @@ class Egl final : public Platform {
     }
 
     Function function(const char* name) override { return eglGetProcAddress(name); }
-    void swap_buffers() override { eglSwapBuffers(display_, surface_); }
+    void swap_buffers() override {
+        eglSwapBuffers(display_, surface_);
+        glFinish();  // what a swap leaves to do is no part of the next frame
+    }
 
   private:
     EGLDisplay display_ = EGL_NO_DISPLAY;

@@ -3,6 +3,7 @@
 #include <GL/glx.h>
 #include <X11/Xlib.h>
 
+#include "apps/platform/gl.h"
 #include "apps/platform/platform.h"
 
 namespace apps {
@@ -68,7 +69,10 @@ class Glx final : public Platform {
     Function function(const char* name) override {
         return glXGetProcAddress(reinterpret_cast<const GLubyte*>(name));
     }
-    void swap_buffers() override { glXSwapBuffers(display_, window_); }
+    void swap_buffers() override {
+        glXSwapBuffers(display_, window_);
+        glFinish();  // what a swap leaves to do is no part of the next frame
+    }
 
   private:
     Display* display_ = nullptr;

@@ -2,9 +2,9 @@
 // What a context says of itself: version and extensions, read once. GL 1.1 names them in one string.
 #include "apps/platform/platform.h"
 
-#include <GL/gl.h>
-
 #include <cstdlib>
+
+#include "apps/platform/gl.h"
 
 namespace apps {
 namespace {
@@ -17,6 +17,7 @@ std::string string_of(GLenum name) {
 }  // namespace
 
 void Platform::read_strings() {
+    load_gl(*this);
     describe(string_of(GL_RENDERER), string_of(GL_VERSION), string_of(GL_EXTENSIONS));
 }
 
@@ -42,7 +43,8 @@ bool Platform::is_at_least(int major, int minor) const {
 std::unique_ptr<Platform> open_platform(std::string_view name, int width, int height) {
     if (name == "egl") return open_egl(width, height);
     if (name == "glx") return open_glx(width, height);
-    throw PlatformError("no platform is called " + std::string(name) + ": egl and glx are");
+    if (name == "osmesa") return open_osmesa(width, height);
+    throw PlatformError("no platform is called " + std::string(name) + ": egl, glx and osmesa are");
 }
 
 }  // namespace apps

@@ -23,7 +23,7 @@ class Platform {
     using Function = void (*)();
     virtual Function function(const char* name) = 0;
 
-    /// Ends a frame.
+    /// Ends a frame that glFinish has finished. OSMesa has no swap: its frames end with glFinish itself.
     virtual void swap_buffers() = 0;
 
     bool has_extension(std::string_view name) const;
@@ -33,7 +33,7 @@ class Platform {
     const std::string& version() const { return version_; }
 
   protected:
-    /// Called by the makers once the context is current: takes what GL says.
+    /// Called by the makers once the context is current: fetches GL's commands and takes what it says.
     void read_strings();
     void describe(std::string renderer, std::string version, const std::string& extensions);
 
@@ -42,10 +42,11 @@ class Platform {
 };
 
 /// 24 bit depth, 8 bits of red, green, blue and alpha; "egl": a surfaceless display and a pbuffer; "glx": a
-/// window.
+/// window; "osmesa": memory of the program's.
 std::unique_ptr<Platform> open_platform(std::string_view name, int width, int height);
 
 std::unique_ptr<Platform> open_egl(int width, int height);
 std::unique_ptr<Platform> open_glx(int width, int height);
+std::unique_ptr<Platform> open_osmesa(int width, int height);
 
 }  // namespace apps

@@ -3,6 +3,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include "apps/platform/gl.h"
 #include "apps/query/occlusion_test_makers.h"
 
 namespace apps {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // All state is set where it changes and nowhere else: a culler alternates between objects and proxies often,
 // and each change of state costs more than a proxy.
-#define GL_GLEXT_PROTOTYPES 0
 #include "apps/render/renderer.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
 
 #include <algorithm>
+
+#include "apps/platform/gl.h"
 
 namespace apps {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines, translucent faces and finished pixels for pictures; never part of a timed frame.
-#include <GL/gl.h>
-
+#include "apps/platform/gl.h"
 #include "apps/render/renderer.h"
 
 namespace apps {

@@ -24,7 +24,7 @@ std::vector<Json> frame_lines(const std::vector<FrameRecord>& frames) {
                   {"tiles_tested", f.counters.tiles_tested},
                   {"stall_ms", f.counters.stall_ms},
                   {"frame_ms", f.frame_ms},
-                  {"device_ms", nullptr}};
+                  {"device_ms", f.device_ms ? Json(*f.device_ms) : Json(nullptr)}};
         if (f.verdict) {
             line["visible_objects"] = f.verdict->visible_objects;
             line["false_culls"] = f.verdict->false_culls;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a walkthrough reports: JSON lines, one object to a frame and then one summary. Field names are an
-// interface: other programs read them. Milliseconds of wall time; null where nothing was measured.
+// interface: other programs read them. Milliseconds of wall time, but `device_ms`, which is a device's; null
+// where nothing was measured.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +19,8 @@ struct FrameRecord {
     std::uint64_t drawn_triangles = 0;
     std::uint64_t frustum_triangles = 0;  // that view-frustum culling over the same tree would draw
     Counters counters;
-    double frame_ms = 0;  // from the clear to the end of glFinish
+    double frame_ms = 0;              // from the clear to the end of glFinish
+    std::optional<double> device_ms;  // from swap to swap, on the clock of an emulated device
     std::optional<Verdict> verdict;
 };
 

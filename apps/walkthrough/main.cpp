@@ -28,6 +28,7 @@ void print_summary(const nlohmann::ordered_json& s) {
                number("stall_ms"),
                s["occlusion_test"].is_null() ? "none" : s["occlusion_test"].get<std::string>());
     fmt::print("time        {:.2f} ms a frame\n", number("frame_ms"));
+    if (!s["device_ms"].is_null()) fmt::print("            {:.3f} ms on the device\n", number("device_ms"));
     if (s.contains("speedup_mean_of_ratios"))
         fmt::print("speed-up    {:.2f} (mean of ratios), {:.2f} (ratio of means)\n",
                    number("speedup_mean_of_ratios"), number("speedup_ratio_of_means"));

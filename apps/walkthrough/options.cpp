@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include "apps/scene/scenes.h"
@@ -64,13 +65,20 @@ void read_knobs(const std::vector<std::string>& settings, const CullerRecipe& cu
     }
 }
 
+void read_work(double work_us, Options& options) {
+    constexpr double kMostMicroseconds = 1e9;
+    if (!(work_us >= 0 && work_us <= kMostMicroseconds))
+        throw BadUse(fmt::format("--work-us is from 0 to {:.0f}, not {}", kMostMicroseconds, work_us));
+    options.work = std::chrono::nanoseconds(std::llround(work_us * 1000));
+}
+
 void check(const Options& options) {
     if (options.frames < 1) throw BadUse(fmt::format("--frames is at least 1, not {}", options.frames));
     if (options.image_frame < 0 || options.image_frame >= options.frames)
         throw BadUse(
             fmt::format("--image-frame is from 0 to {}, not {}", options.frames - 1, options.image_frame));
-    if (options.platform != "egl" && options.platform != "glx")
-        throw BadUse(fmt::format("--platform is egl or glx, not \"{}\"", options.platform));
+    if (options.platform != "egl" && options.platform != "glx" && options.platform != "osmesa")
+        throw BadUse(fmt::format("--platform is egl, glx or osmesa, not \"{}\"", options.platform));
     if (!options.oracle_cache.empty() && !options.oracle) throw BadUse("--oracle-cache needs --oracle");
     const SceneRecipe* scene = find_scene(options.scene);
     if (!scene && !std::filesystem::is_regular_file(options.scene))
@@ -87,6 +95,7 @@ void check(const Options& options) {
 Options parse_options(int argc, const char* const* argv) {
     Options options;
     std::string size;
+    double work_us = 0;
     std::vector<std::string> settings;
     std::vector<std::string> labels;
     CLI::App app(
@@ -95,10 +104,13 @@ Options parse_options(int argc, const char* const* argv) {
         "walkthrough");
     app.add_option("--scene", options.scene, "a scene of --list, or a model file")->capture_default_str();
     app.add_option("--culler", options.culler, "a culler of --list")->capture_default_str();
-    app.add_option("--platform", options.platform, "egl (no display needed) or glx (a window)")
+    app.add_option("--platform", options.platform, "egl (no display needed), glx (a window) or osmesa")
         ->capture_default_str();
     app.add_option("--size", size, "WIDTHxHEIGHT in pixels; 640x480 unless given");
     app.add_option("--frames", options.frames, "frames over the whole path")->capture_default_str();
+    app.add_option("--work-us", work_us,
+                   "the program's own work in a frame, microseconds on a device's clock (GL_EMU_device_time)")
+        ->capture_default_str();
     app.add_option("--scale", options.scale, "share of a generated scene's triangles")->capture_default_str();
     app.add_option("--seed", options.seed, "of a generated scene")->capture_default_str();
     app.add_option("--set", settings, "name=value of a knob of the culler")->allow_extra_args(false);
@@ -123,6 +135,7 @@ Options parse_options(int argc, const char* const* argv) {
     }
     if (options.list) return options;
     if (!size.empty()) read_size(size, options);
+    read_work(work_us, options);
     const CullerRecipe* culler = find_culler(options.culler);
     if (!culler)
         throw BadUse(fmt::format("--culler is one of {}, not \"{}\"", names_of(cullers()), options.culler));

@@ -2,6 +2,7 @@
 // The command line of walkthrough, checked: whoever holds Options can run them.
 #pragma once
 
+#include <chrono>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,7 @@ struct Options {
     int width = 640;
     int height = 480;
     int frames = 120;
+    std::chrono::nanoseconds work{0};  // of the program's own in a frame, on a device's clock
     double scale = 1;
     std::uint64_t seed = 1;
     KnobValues knobs;  // every knob of the culler

@@ -53,7 +53,8 @@ World build_world(const Options& options) {
 Walk::Walk(const World& world, const Options& options)
     : world_(world),
       options_(options),
-      platform_(open_platform(options.platform, options.width, options.height)) {
+      platform_(open_platform(options.platform, options.width, options.height)),
+      device_clock_(*platform_) {
     const CullerRecipe& recipe = *find_culler(options.culler);
     test_ = choose_occlusion_test(*platform_);
     if (recipe.asks && !test_)
@@ -72,9 +73,9 @@ FrameRecord Walk::draw(int index) {
     const View v = view(index);
     GlCanvas canvas(*renderer_, test_.get());
     Frame frame(index, world_.scene, world_.tree, v, canvas);
-    renderer_->finish();
 
     const auto start = std::chrono::steady_clock::now();
+    device_clock_.work(options_.work);
     renderer_->set_matrices(v.modelview, v.projection, v.width, v.height);
     renderer_->clear(kSky);
     culler_->draw(frame);
@@ -103,12 +104,14 @@ std::vector<FrameRecord> Walk::run() {
         }
         draw(0);
         platform_->swap_buffers();
+        device_clock_.lap_ms();
     }
     std::vector<FrameRecord> frames;
     ProgressBar bar("walking", options_.frames);
     for (int index = 0; index < options_.frames; ++index, bar.step()) {
         frames.push_back(draw(index));
         platform_->swap_buffers();
+        frames.back().device_ms = device_clock_.lap_ms();
     }
     if (options_.oracle) judge(frames);
     return frames;

@@ -2,6 +2,7 @@
 // The walk itself: a scene with its tree, a context, one culler, and the frames along the path.
 #pragma once
 
+#include "apps/platform/device_clock.h"
 #include "apps/report/frame_report.h"
 #include "apps/walkthrough/options.h"
 
@@ -20,8 +21,9 @@ class Walk {
     Walk(const World& world, const Options& options);
 
     /// Three passes, so that nothing but the frame itself is in its time: preparation and warming up; the
-    /// timed frames, each ended by a swap; the oracle. A monitor under GL sees warming up as the first frame,
-    /// and frame k as k + 1.
+    /// timed frames, each ended by glFinish and a swap; the oracle. A monitor under GL sees warming up as the
+    /// first frame, and frame k as k + 1: on the device's clock a frame lasts from one swap to the next, so
+    /// that frames add up.
     std::vector<FrameRecord> run();
 
     View view(int frame) const;
@@ -39,6 +41,7 @@ class Walk {
     const World& world_;
     const Options& options_;
     std::unique_ptr<Platform> platform_;
+    DeviceClock device_clock_;
     std::unique_ptr<Renderer> renderer_;
     std::unique_ptr<OcclusionTest> test_;
     std::unique_ptr<Culler> culler_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // walkthrough as a program: its exit status, its one sentence on bad use, and the report that other programs
 // read.
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -21,8 +22,9 @@ struct Result {
     std::string output;  // both streams
 };
 
-Result run(const std::string& arguments) {
-    FILE* pipe = popen((std::string(WALKTHROUGH) + ' ' + arguments + " 2>&1").c_str(), "r");
+// `variables` as a shell sets them before a command.
+Result run(const std::string& arguments, const std::string& variables = "") {
+    FILE* pipe = popen((variables + " " WALKTHROUGH " " + arguments + " 2>&1").c_str(), "r");
     Result result{};
     std::array<char, 4096> part{};
     while (const std::size_t read = std::fread(part.data(), 1, part.size(), pipe))
@@ -58,6 +60,8 @@ TEST_F(Walkthrough, answers_bad_use_with_one_sentence_and_status_two) {
         {"--scale 0", "0"},
         {"--scale nan", "nan"},
         {"--platform web", "web"},
+        {"--work-us -1", "-1"},
+        {"--work-us nan", "nan"},
         {"--set proxy_growth=0", "0"},
         {"--set proxy_growth", "proxy_growth"},
         {"--set speed=3", "speed"},
@@ -141,6 +145,35 @@ TEST_F(Walkthrough, walks_around_a_model_of_ones_own) {
     EXPECT_GT(summary["visible_objects"], 0);
     std::ofstream(folder / "not_a_model.obj") << "hello\n";
     EXPECT_EQ(run("--scene " + (folder / "not_a_model.obj").string() + common).status, 2);
+}
+
+TEST_F(Walkthrough, walks_the_same_way_in_memory_by_osmesa) {
+    const auto seen_on = [&](const std::string& platform) {
+        const fs::path report = folder / platform;
+        const Result result = run("--scale 0.02 --frames 2 --size 160x120 --oracle --platform " + platform +
+                                  " --json " + report.string());
+        EXPECT_EQ(result.status, 0) << result.output;
+        std::vector<Json> seen;
+        for (const Json& line : lines(report)) {
+            if (!line.contains("frame")) continue;
+            EXPECT_GT(line["queries"], 0);
+            EXPECT_GT(line["visible_objects"], 0);
+            for (const char* field : {"drawn_triangles", "queries", "visible_objects", "wrong_pixels"})
+                seen.push_back(line[field]);
+        }
+        return seen;
+    };
+    void* const library = dlopen("libOSMesa.so.8", RTLD_NOW);
+    if (library == nullptr) GTEST_SKIP() << "no libOSMesa here";
+    EXPECT_EQ(seen_on("osmesa"), seen_on("egl"));
+}
+
+TEST_F(Walkthrough, says_so_where_there_is_no_osmesa) {
+    std::ofstream(folder / "libOSMesa.so.8") << "no library";
+    const Result result = run("--platform osmesa --scale 0.02", "LD_LIBRARY_PATH=" + folder.string());
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 1) << result.output;
+    EXPECT_NE(result.output.find("libOSMesa.so.8"), std::string::npos) << result.output;
 }
 
 TEST_F(Walkthrough, ignores_a_damaged_cache) {
