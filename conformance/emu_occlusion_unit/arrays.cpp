@@ -180,19 +180,11 @@ TEST_F(UnitArrays, a_restarted_strip_is_seen) {
 // What a transform feedback recorded is drawn by its own commands.
 TEST_F(UnitArrays, draws_of_recorded_vertices_are_seen) {
     if (const auto why = lacks(42)) GTEST_SKIP() << *why;
-    const GLuint program = glCreateProgram();
-    const GLuint shader = glCreateShader(GL_VERTEX_SHADER);
-    const char* source =
+    const GLuint program = use_recording_program(
         "#version 130\n"
         "out vec3 corner;\n"
-        "void main() { corner = gl_Vertex.xyz; gl_Position = gl_Vertex; }\n";
-    glShaderSource(shader, 1, &source, nullptr);
-    glCompileShader(shader);
-    glAttachShader(program, shader);
-    const char* recorded = "corner";
-    glTransformFeedbackVaryings(program, 1, &recorded, GL_INTERLEAVED_ATTRIBS);
-    glLinkProgram(program);
-    glUseProgram(program);
+        "void main() { corner = gl_Vertex.xyz; gl_Position = gl_Vertex; }\n",
+        "corner");
     GLuint feedback = 0;
     glGenTransformFeedbacks(1, &feedback);
     glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback);
@@ -216,7 +208,6 @@ TEST_F(UnitArrays, draws_of_recorded_vertices_are_seen) {
     });
     glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
     glDeleteTransformFeedbacks(1, &feedback);
-    glDeleteShader(shader);
     glDeleteProgram(program);
 }
 

@@ -8,17 +8,6 @@ namespace {
 class UnitErrors : public UnitTest {};
 
 constexpr GLuint kUnknownName = 0x7000;  // larger than any that Gen has returned here
-constexpr std::array<GLfloat, 6> kBox = {8.0f, 8.0f, kNear, 24.0f, 24.0f, kNear};
-
-// Begin and Shapes refuse <id> and <registers> alike.
-void expect_refused(GLenum error, GLbitfield registers, GLuint id) {
-    begin_unit(registers, id);
-    EXPECT_TRUE(error_is(error)) << "Begin";
-    unit_shapes(registers, GL_BOX_EMU, 1, kBox.data(), nullptr, id);
-    EXPECT_TRUE(error_is(error)) << "Shapes";
-    end_unit();
-    EXPECT_TRUE(error_is(GL_INVALID_OPERATION)) << "nothing was begun";
-}
 
 // 17.3.5.1: "INVALID_VALUE ... if <registers> is 0 or has a bit other than those of ALL_REGISTERS_EMU."
 TEST_F(UnitErrors, registers_have_to_be_known_ones_and_at_least_one) {
@@ -68,7 +57,7 @@ TEST_F(UnitErrors, one_query_of_the_unit_is_active_at_a_time) {
     for (const GLuint id : {first.name(), second.name()}) {
         begin_unit(kAllRegisters, id);
         EXPECT_TRUE(error_is(GL_INVALID_OPERATION));
-        unit_shapes(kAllRegisters, GL_BOX_EMU, 1, kBox.data(), nullptr, id);
+        unit_shapes(kAllRegisters, GL_BOX_EMU, 1, kNearBox.data(), nullptr, id);
         EXPECT_TRUE(error_is(GL_INVALID_OPERATION));
     }
     draw_rect({8, 8, 4, 4}, kNear);
@@ -106,7 +95,7 @@ TEST_F(UnitErrors, the_far_end_is_one_or_zero) {
 TEST_F(UnitErrors, shapes_are_refused_for_their_kind_and_number) {
     const Query query;
     const auto refused = [&](GLenum error, GLenum shape, GLsizei count) {
-        unit_shapes(kAllRegisters, shape, count, kBox.data(), nullptr, query.name());
+        unit_shapes(kAllRegisters, shape, count, kNearBox.data(), nullptr, query.name());
         EXPECT_TRUE(error_is(error));
         EXPECT_FALSE(glIsQuery(query.name()));
     };
@@ -127,7 +116,7 @@ TEST_F(UnitErrors, shapes_need_a_complete_framebuffer) {
     glBindTexture(GL_TEXTURE_2D, nothing);
     glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, nothing, 0);
     ASSERT_NE(glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
-    unit_shapes(kAllRegisters, GL_BOX_EMU, 1, kBox.data(), nullptr, query.name());
+    unit_shapes(kAllRegisters, GL_BOX_EMU, 1, kNearBox.data(), nullptr, query.name());
     EXPECT_TRUE(error_is(GL_INVALID_FRAMEBUFFER_OPERATION));
     EXPECT_FALSE(glIsQuery(query.name()));
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
@@ -172,7 +161,7 @@ TEST_F(UnitErrors, between_begin_and_end_every_command_is_refused) {
     glBegin(GL_POINTS);
     begin_unit(kAllRegisters, query.name());
     end_unit();
-    unit_shapes(kAllRegisters, GL_BOX_EMU, 1, kBox.data(), nullptr, query.name());
+    unit_shapes(kAllRegisters, GL_BOX_EMU, 1, kNearBox.data(), nullptr, query.name());
     Record record = kUnwritten;
     get_records(ended.name(), 0, 1, &record);
     far_depth(GL_ZERO);
@@ -193,7 +182,7 @@ TEST_F(UnitErrors, between_begin_and_end_each_command_alone_is_refused) {
     Record record{};
     const std::array<Draw, 5> commands = {
         [&] { begin_unit(kAllRegisters, query.name()); }, [] { end_unit(); },
-        [&] { unit_shapes(kAllRegisters, GL_BOX_EMU, 1, kBox.data(), nullptr, query.name()); },
+        [&] { unit_shapes(kAllRegisters, GL_BOX_EMU, 1, kNearBox.data(), nullptr, query.name()); },
         [&] { get_records(query.name(), 0, 0, &record); }, [] { far_depth(GL_ONE); }};
     begin_unit(kAllRegisters, query.name());
     end_unit();

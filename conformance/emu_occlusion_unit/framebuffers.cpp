@@ -94,6 +94,13 @@ TEST_F(UnitFramebuffers, without_a_depth_buffer_all_is_visible_and_no_depth_told
     Seen expected = seen(768, kHalfHiddenRect, 1.0f);
     expected.depth_step = 0.0f;
     expect_seen(expected, draw_half_hidden);
+    // The same of what writes nothing, as bounding volumes do; whatever the function, no depth fails.
+    glDepthMask(GL_FALSE);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    for (const GLenum function : {GL_LESS, GL_GREATER, GL_EQUAL, GL_NEVER}) {
+        glDepthFunc(function);
+        expect_seen(expected, draw_half_hidden);
+    }
 }
 
 // 17.3.5.1: "If the draw framebuffer changes within a query, the registers go on over all of its
@@ -226,14 +233,8 @@ TEST_F(UnitFramebuffers, all_layers_step_the_unit) {
                                        "        EndPrimitive();\n"
                                        "    }\n"
                                        "}\n"});
-    expect_seen({.projected = 3 * 768, .visible = 768 + 384, .nearest = kFar, .box = {8, 8, 55, 23}}, [] {
-        glBegin(GL_TRIANGLE_STRIP);
-        glVertex3f(8.0f, 8.0f, kFar);
-        glVertex3f(56.0f, 8.0f, kFar);
-        glVertex3f(8.0f, 24.0f, kFar);
-        glVertex3f(56.0f, 24.0f, kFar);
-        glEnd();
-    });
+    expect_seen({.projected = 3 * 768, .visible = 768 + 384, .nearest = kFar, .box = {8, 8, 55, 23}},
+                draw_half_hidden_strip);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glDeleteFramebuffers(1, &framebuffer);
     glDeleteTextures(1, &texture);

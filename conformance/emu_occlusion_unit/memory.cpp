@@ -20,6 +20,17 @@ std::string writing_shader(const char* declaration, const char* statement) {
            "}\n";
 }
 
+// In a query of the unit, or bare. What the shader in use writes is there afterwards.
+void draw_and_wait(bool is_inside) {
+    if (is_inside) {
+        expect_seen_or_undetermined(kMayBeUndetermined, kHalfHidden, draw_half_hidden);
+    } else {
+        draw_half_hidden();
+    }
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    glFinish();
+}
+
 class UnitMemory : public UnitTest {
   protected:
     void SetUp() override {
@@ -39,13 +50,7 @@ class UnitMemory : public UnitTest {
             glBindBufferBase(target, 0, buffer);
             glBufferData(target, sizeof(zero), &zero, GL_DYNAMIC_READ);
             draw_depth_only_again();
-            if (is_inside) {
-                expect_seen_or_undetermined(kMayBeUndetermined, kHalfHidden, draw_half_hidden);
-            } else {
-                draw_half_hidden();
-            }
-            glMemoryBarrier(GL_ALL_BARRIER_BITS);
-            glFinish();
+            draw_and_wait(is_inside);
             GLuint counted = kUntouched;
             glGetBufferSubData(target, 0, sizeof(counted), &counted);
             return counted;
@@ -92,13 +97,7 @@ TEST_F(UnitMemory, images_are_written_once_a_fragment) {
         draw_left_occluder();
         const Program program({.vertex = kFixedVertexSource, .fragment = shader});
         glBindImageTexture(0, image, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
-        if (is_inside) {
-            expect_seen_or_undetermined(kMayBeUndetermined, kHalfHidden, draw_half_hidden);
-        } else {
-            draw_half_hidden();
-        }
-        glMemoryBarrier(GL_ALL_BARRIER_BITS);
-        glFinish();
+        draw_and_wait(is_inside);
         std::vector<GLuint> values(kAll);
         glGetTexImage(GL_TEXTURE_2D, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, values.data());
         return values;

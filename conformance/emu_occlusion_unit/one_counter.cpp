@@ -7,18 +7,6 @@ namespace {
 
 class OneCounter : public UnitTest {};
 
-constexpr std::array<GLfloat, 6> kBox = {8.0f, 8.0f, kNear, 24.0f, 24.0f, kNear};
-
-// Begin and Shapes are both refused.
-void expect_refused(GLenum error, GLbitfield registers, GLuint id) {
-    begin_unit(registers, id);
-    EXPECT_TRUE(error_is(error)) << "Begin";
-    unit_shapes(registers, GL_BOX_EMU, 1, kBox.data(), nullptr, id);
-    EXPECT_TRUE(error_is(error)) << "Shapes";
-    end_unit();
-    EXPECT_TRUE(error_is(GL_INVALID_OPERATION)) << "nothing was begun";
-}
-
 // 17.3.5.1: "or one on SAMPLES_PASSED, ANY_SAMPLES_PASSED, ANY_SAMPLES_PASSED_CONSERVATIVE".
 TEST_F(OneCounter, an_active_occlusion_query_excludes_the_unit) {
     for (const GLenum target :

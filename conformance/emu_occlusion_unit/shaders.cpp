@@ -100,14 +100,7 @@ TEST_F(UnitShaders, what_a_geometry_shader_emits_is_seen) {
     // The copy is half a window higher, and at 0.75 - 0.25: hidden by the equal depth on the left.
     expect_seen(
         {.projected = 2 * 768, .visible = 2 * 384, .nearest = kMiddle, .box = {kHalf, 8, 55, kHalf + 23}},
-        [] {
-            glBegin(GL_TRIANGLE_STRIP);
-            glVertex3f(8.0f, 8.0f, kFar);
-            glVertex3f(56.0f, 8.0f, kFar);
-            glVertex3f(8.0f, 24.0f, kFar);
-            glVertex3f(56.0f, 24.0f, kFar);
-            glEnd();
-        });
+        draw_half_hidden_strip);
 }
 
 TEST_F(UnitShaders, what_a_tessellation_makes_is_seen) {

@@ -9,27 +9,18 @@ namespace {
 
 class UnitUndisturbed : public UnitTest {};
 
-void draw_two_triangles() {
-    glBegin(GL_TRIANGLE_STRIP);
-    glVertex3f(8.0f, 8.0f, kFar);
-    glVertex3f(56.0f, 8.0f, kFar);
-    glVertex3f(8.0f, 24.0f, kFar);
-    glVertex3f(56.0f, 24.0f, kFar);
-    glEnd();
-}
-
 TEST_F(UnitUndisturbed, primitive_queries_count_what_the_program_draws) {
     draw_left_occluder();
     const Query primitives(GL_PRIMITIVES_GENERATED);
     primitives.begin();
-    expect_seen_or_undetermined(kMayBeUndetermined, kHalfHidden, draw_two_triangles);
+    expect_seen_or_undetermined(kMayBeUndetermined, kHalfHidden, draw_half_hidden_strip);
     primitives.end();
     EXPECT_EQ(primitives.result(), 2u);
     // Begun and ended inside.
     draw_left_occluder();
     expect_seen_or_undetermined(kMayBeUndetermined, kHalfHidden, [&] {
         primitives.begin();
-        draw_two_triangles();
+        draw_half_hidden_strip();
         primitives.end();
     });
     EXPECT_EQ(primitives.result(), 2u);
@@ -41,10 +32,10 @@ TEST_F(UnitUndisturbed, pipeline_statistics_count_what_the_program_draws) {
     for (const GLenum target : targets) {
         const Query statistics(target);
         draw_left_occluder();
-        const GLuint without = statistics.count(draw_two_triangles);
+        const GLuint without = statistics.count(draw_half_hidden_strip);
         draw_left_occluder();
         statistics.begin();
-        expect_seen_or_undetermined(kMayBeUndetermined, kHalfHidden, draw_two_triangles);
+        expect_seen_or_undetermined(kMayBeUndetermined, kHalfHidden, draw_half_hidden_strip);
         statistics.end();
         EXPECT_EQ(statistics.result(), without) << target;
         EXPECT_GT(without, 0u);
@@ -62,15 +53,7 @@ TEST_F(UnitUndisturbed, a_time_query_may_be_active) {
 
 TEST_F(UnitUndisturbed, transform_feedback_records_each_vertex_once) {
     if (const auto why = lacks(30)) GTEST_SKIP() << *why;
-    const GLuint program = glCreateProgram();
-    const GLuint shader = glCreateShader(GL_VERTEX_SHADER);
-    glShaderSource(shader, 1, &kFixedVertexSource, nullptr);
-    glCompileShader(shader);
-    glAttachShader(program, shader);
-    const char* recorded = "gl_Position";
-    glTransformFeedbackVaryings(program, 1, &recorded, GL_INTERLEAVED_ATTRIBS);
-    glLinkProgram(program);
-    glUseProgram(program);
+    const GLuint program = use_recording_program(kFixedVertexSource, "gl_Position");
     constexpr std::size_t kFloats = 64;  // 16 vertices
     GLuint buffer = 0;
     glGenBuffers(1, &buffer);
@@ -85,8 +68,8 @@ TEST_F(UnitUndisturbed, transform_feedback_records_each_vertex_once) {
         const auto draw = [&] {
             written.begin();
             glBeginTransformFeedback(GL_TRIANGLES);
-            draw_two_triangles();
-            draw_two_triangles();
+            draw_half_hidden_strip();
+            draw_half_hidden_strip();
             glEndTransformFeedback();
             written.end();
         };
@@ -110,7 +93,6 @@ TEST_F(UnitUndisturbed, transform_feedback_records_each_vertex_once) {
     glUseProgram(0);
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
     glDeleteBuffers(1, &buffer);
-    glDeleteShader(shader);
     glDeleteProgram(program);
 }
 
@@ -123,15 +105,7 @@ TEST_F(UnitUndisturbed, a_paused_transform_feedback_stays_paused) {
     glGenTransformFeedbacks(1, &feedback);
     glGenBuffers(1, &buffer);
     glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback);
-    const GLuint program = glCreateProgram();
-    const GLuint shader = glCreateShader(GL_VERTEX_SHADER);
-    glShaderSource(shader, 1, &kFixedVertexSource, nullptr);
-    glCompileShader(shader);
-    glAttachShader(program, shader);
-    const char* recorded = "gl_Position";
-    glTransformFeedbackVaryings(program, 1, &recorded, GL_INTERLEAVED_ATTRIBS);
-    glLinkProgram(program);
-    glUseProgram(program);
+    const GLuint program = use_recording_program(kFixedVertexSource, "gl_Position");
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
     glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, 1024, nullptr, GL_STATIC_READ);
     glBeginTransformFeedback(GL_TRIANGLES);
@@ -148,7 +122,6 @@ TEST_F(UnitUndisturbed, a_paused_transform_feedback_stays_paused) {
     glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
     glDeleteTransformFeedbacks(1, &feedback);
     glDeleteBuffers(1, &buffer);
-    glDeleteShader(shader);
     glDeleteProgram(program);
 }
 

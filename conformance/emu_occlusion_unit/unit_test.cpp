@@ -82,6 +82,15 @@ void expect_seen_or_undetermined(GLbitfield may, const Seen& expected, const Dra
     expect_record(record, record.registers, expected);
 }
 
+void expect_refused(GLenum error, GLbitfield registers, GLuint id) {
+    begin_unit(registers, id);
+    EXPECT_TRUE(error_is(error)) << "Begin";
+    unit_shapes(registers, GL_BOX_EMU, 1, kNearBox.data(), nullptr, id);
+    EXPECT_TRUE(error_is(error)) << "Shapes";
+    end_unit();
+    EXPECT_TRUE(error_is(GL_INVALID_OPERATION)) << "nothing was begun";
+}
+
 GLuint get_unit(GLuint id, GLenum pname) {
     GLuint value = kUntouched;
     glGetQueryObjectuiv(id, pname, &value);
@@ -103,6 +112,28 @@ void draw_left_occluder() {
 
 void draw_half_hidden() {
     draw_rect(kHalfHiddenRect, kFar);
+}
+
+void draw_half_hidden_strip() {
+    glBegin(GL_TRIANGLE_STRIP);
+    glVertex3f(8.0f, 8.0f, kFar);
+    glVertex3f(56.0f, 8.0f, kFar);
+    glVertex3f(8.0f, 24.0f, kFar);
+    glVertex3f(56.0f, 24.0f, kFar);
+    glEnd();
+}
+
+GLuint use_recording_program(const char* vertex_source, const char* varying) {
+    const GLuint program = glCreateProgram();
+    const GLuint shader = glCreateShader(GL_VERTEX_SHADER);
+    glShaderSource(shader, 1, &vertex_source, nullptr);
+    glCompileShader(shader);
+    glAttachShader(program, shader);
+    glDeleteShader(shader);  // goes with the program
+    glTransformFeedbackVaryings(program, 1, &varying, GL_INTERLEAVED_ATTRIBS);
+    glLinkProgram(program);
+    glUseProgram(program);
+    return program;
 }
 
 }  // namespace conformance

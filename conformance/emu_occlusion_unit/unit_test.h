@@ -82,6 +82,10 @@ void expect_seen_or_undetermined(GLbitfield may, const Seen& expected, const Dra
 inline constexpr GLbitfield kMayBeUndetermined =
     GL_PROJECTED_HITS_BIT_EMU | GL_NEAREST_DEPTH_BIT_EMU | GL_SCREEN_BOX_BIT_EMU;
 
+// Begin and Shapes, of a box at kNear, are both refused.
+void expect_refused(GLenum error, GLbitfield registers, GLuint id);
+inline constexpr std::array<GLfloat, 6> kNearBox = {8.0f, 8.0f, kNear, 24.0f, 24.0f, kNear};
+
 // A register of the first record by GetQueryObjectuiv; kUntouched where the command writes nothing.
 GLuint get_unit(GLuint id, GLenum pname);
 
@@ -94,7 +98,11 @@ class UnitTest : public GlTest {
 // draw_half_hidden draws then, twice as wide as the half that it shows, has to be kHalfHidden.
 void draw_left_occluder();
 void draw_half_hidden();
+void draw_half_hidden_strip();  // the same as two triangles, whatever the program in use makes of them
 inline constexpr Rect kHalfHiddenRect = {8, 8, 48, 16};
 extern const Seen kHalfHidden;
+
+// A program whose transform feedback records <varying>, in use.
+GLuint use_recording_program(const char* vertex_source, const char* varying);
 
 }  // namespace conformance
