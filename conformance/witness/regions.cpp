@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Region queries of random scenes against the depths of every sample, read back.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
-#include "harness/gl_test.h"
 #include "witness/instances.h"
-#include "witness/machine.h"
-#include "witness/scene.h"
-#include "witness/unit.h"
+#include "witness/scene_test.h"
 
 namespace conformance {
 namespace {
@@ -24,26 +18,16 @@ constexpr std::array<GLenum, 3> kQuestions = {GL_REGION_OCCLUDED_EMU, GL_FURTHES
 
 using Rectangle = std::array<GLint, 4>;
 
-class RegionScenes : public ::testing::TestWithParam<int> {
+class RegionScenes : public SceneTest {
   protected:
     void SetUp() override {
         if (!machine().has_regions) GTEST_SKIP() << "needs GL_EMU_depth_region_query";
-        scene_.emplace(static_cast<std::uint64_t>(GetParam()) + 3'000'000);
+        make_scene(3'000'000);
         scene().start();
         scene().play_all();
         depths_ = scene().target().read().depth;
         set_far_end(scene().far_end());
     }
-    void TearDown() override {
-        if (!scene_) return;
-        if (HasFailure()) tell_recipe(*scene_);
-        set_far_end(GL_ONE);
-        neutral();
-        scene_.reset();
-        EXPECT_TRUE(no_error()) << "the regions left an error behind";
-    }
-
-    Scene& scene() { return *scene_; }
 
     // Inside, across an edge, beyond, and without any pixel.
     Rectangle random_rectangle(Random& random) {
@@ -98,7 +82,6 @@ class RegionScenes : public ::testing::TestWithParam<int> {
     }
 
   private:
-    std::optional<Scene> scene_;
     std::vector<float> depths_;
 };
 

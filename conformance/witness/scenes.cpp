@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Random scenes: the witness against the driver's own counter and buffers, and the unit against the witness.
-#include <gtest/gtest.h>
-
 #include <cstdio>
-#include <optional>
 #include <vector>
 
-#include "harness/gl_test.h"
 #include "harness/query.h"
 #include "witness/fragments.h"
 #include "witness/instances.h"
-#include "witness/machine.h"
-#include "witness/scene.h"
+#include "witness/scene_test.h"
 #include "witness/simulation.h"
-#include "witness/unit.h"
 
 namespace conformance {
 namespace {
@@ -37,31 +31,19 @@ template <typename Value>
            << "): " << +got[first] << " instead of " << +expected[first];
 }
 
-class Played : public ::testing::TestWithParam<int> {
+class Played : public SceneTest {
   protected:
-    void SetUp() override { scene_.emplace(static_cast<std::uint64_t>(GetParam())); }
-    void TearDown() override {
-        if (!scene_) return;
-        EXPECT_TRUE(no_error()) << "the scene left an error behind";
-        if (HasFailure()) tell_recipe(*scene_);
-        neutral();
-        scene_.reset();
-    }
+    void SetUp() override { make_scene(0); }
 
     // What the witness says of the scene's draws.
     Simulation witness() {
-        scene_->start();
-        Simulation simulation(scene_->target(), scene_->target().read(), scene_->far_end());
-        for (const Draw& draw : scene_->draws()) {
-            simulation.draw(fragments_of(*scene_, draw), draw.pipeline(), draw.settings());
+        scene().start();
+        Simulation simulation(scene().target(), scene().target().read(), scene().far_end());
+        for (const Draw& draw : scene().draws()) {
+            simulation.draw(fragments_of(scene(), draw), draw.pipeline(), draw.settings());
         }
         return simulation;
     }
-
-    Scene& scene() { return *scene_; }
-
-  private:
-    std::optional<Scene> scene_;
 };
 
 class WitnessScenes : public Played {};

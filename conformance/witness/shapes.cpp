@@ -5,17 +5,11 @@
 // positions, bit by bit. The text leaves it open which diagonal splits a face of a box: then each face is
 // drawn with either, and what the unit says has to lie in what they give, which is one number except where
 // the two round differently.
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 
-#include "harness/gl_test.h"
 #include "witness/instances.h"
-#include "witness/machine.h"
-#include "witness/scene.h"
-#include "witness/unit.h"
+#include "witness/scene_test.h"
 
 namespace conformance {
 namespace {
@@ -104,22 +98,12 @@ struct Bounds {
     std::array<float, 2> nearest{};  // the nearer, the less near
 };
 
-class ShapeScenes : public ::testing::TestWithParam<int> {
+class ShapeScenes : public SceneTest {
   protected:
     void SetUp() override {
         if (!machine().has_unit) GTEST_SKIP() << "needs GL_EMU_occlusion_unit";
-        scene_.emplace(static_cast<std::uint64_t>(GetParam()) + 1'000'000);
+        make_scene(1'000'000);
     }
-    void TearDown() override {
-        if (!scene_) return;
-        if (HasFailure()) tell_recipe(*scene_);
-        set_far_end(GL_ONE);
-        neutral();
-        scene_.reset();
-        EXPECT_TRUE(no_error()) << "the shapes left an error behind";
-    }
-
-    Scene& scene() { return *scene_; }
 
     // All of the first draw's state; or what of it applies to shapes, alone.
     void apply_whole() { apply(scene().draws()[0].pipeline(), scene().draws()[0].settings()); }
@@ -147,9 +131,6 @@ class ShapeScenes : public ::testing::TestWithParam<int> {
         query.end();
         return query.records().front();
     }
-
-  private:
-    std::optional<Scene> scene_;
 };
 
 bool is_empty(const std::array<int, 4>& box) {
