@@ -5,6 +5,7 @@
 #include <dlfcn.h>
 #include <glvnd/libeglabi.h>
 
+#include <deque>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -53,7 +54,8 @@ EGLenum query_api() {
     return EGL_OPENGL_API;
 }
 EGLContext create_context(EGLDisplay, EGLConfig, EGLContext, const EGLint*) {
-    return new char;  // each its own address; the test's few stay until its end
+    static std::deque<char> contexts;  // each its own address
+    return &contexts.emplace_back();
 }
 EGLBoolean make_current(EGLDisplay, EGLSurface, EGLSurface, EGLContext) {
     return EGL_TRUE;
