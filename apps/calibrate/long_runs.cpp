@@ -50,12 +50,14 @@ void measure_fifo(Bench& bench) {
     const Backlog vertices = measure_backlog(bench, "backlog of vertices", {8, 16, 32, 64, 128, 256},
                                              [&] { stage.mesh(kTriangles, MeshSize::kSubPixel); });
     const Backlog fill =
-        measure_backlog(bench, "backlog of fill", {4, 8, 16, 32, 64}, [&] { stage.quad(3); });
+        measure_backlog(bench, "backlog of fill", {16, 32, 64, 128, 256}, [&] { stage.quad(3); });
 
-    // The last draw is taken while the FIFO is just not full, so one draw's work comes on top.
-    const double of_vertices = vertices.end() - costs.gpu_batch - kTriangles * costs.triangle;
+    // The last draw is taken while the FIFO is just not full, so one draw's work comes on top, less what was
+    // worked off while it was given.
+    const double on_top = costs.gpu_batch - costs.batch;
+    const double of_vertices = vertices.end() - on_top - kTriangles * costs.triangle;
     const double of_fill =
-        fill.end() - costs.gpu_batch - double(stage.width()) * stage.height() * 9 / 64 * costs.fragment;
+        fill.end() - on_top - double(stage.width()) * stage.height() * 9 / 64 * costs.fragment;
     Term term{"fifo_us",
               (of_vertices + of_fill) / 2,
               std::min(of_vertices, of_fill),

@@ -92,6 +92,33 @@ class Measured(unittest.TestCase):
         self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["mine.toml", "raw.json"])
 
 
+# A machine with an end to everything that the model knows.
+EMULATED = {"batch_us": 17.0, "query_us": 10.1, "poll_us": 0.1, "read_us": 3.0, "copied_triangle_ns": 79.0,
+            "triangles_per_second": 36.3e6, "fragments_per_second": 1.9e9, "depth_fragments_per_second": 3.8e9,
+            "cleared_pixels_per_second": 3.8e9, "gpu_query_us": 30.0, "result_latency_us": 5.3, "fifo_us": 1300.0,
+            "read_pixels_per_second": 50e6}
+
+
+class Emulated(unittest.TestCase):
+    """Under the device clock, GL's own time is the emulated machine's: what is put in has to come out. No wall clock is
+    involved, so the bounds are narrow: they are the fragments of whole blocks that a driver counts at edges."""
+
+    def test_what_a_device_is_told_to_cost_is_what_is_measured(self):
+        with tempfile.TemporaryDirectory() as folder:
+            device, found = pathlib.Path(folder, "told.toml"), pathlib.Path(folder, "found.toml")
+            numbers = "".join(f"{key} = {value}\n" for key, value in EMULATED.items())
+            device.write_text('name = "told"\ndescription = "a test"\nsource = "a test"\n[time]\n'
+                              'source = "a test"\nquality = "assumed"\n' + numbers)
+            told = run(LAUNCHER, "run", "--device", device, "--clock", "device", "--", CALIBRATE, "--quick", "--time", "gl",
+                       "--output", found)
+            self.assertEqual(told.returncode, 0, told.stderr)
+            time = tomllib.loads(found.read_text())["time"]
+            for key, value in EMULATED.items():
+                with self.subTest(key=key):
+                    self.assertAlmostEqual(time[key] / value, 1, delta=0.02)
+            self.assertNotIn("gpu_batch_us", time)
+
+
 class Refused(unittest.TestCase):
     def refuses(self, culprit, *arguments):
         told = run(CALIBRATE, *arguments)

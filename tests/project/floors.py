@@ -26,7 +26,7 @@ KINDS = (
     ("std", r"(assert|ctype|errno|float|inttypes|limits|locale|math|setjmp|signal|stdarg|stdbool|stddef)\.h$"),
     ("std", r"(stdint|stdio|stdlib|string|time|wchar)\.h$"),
     ("system", r"(sys|linux|bits|asm|net|arpa|netinet)/"),
-    ("system", r"(dlfcn|elf|fcntl|link|poll|pthread|sched|semaphore|spawn|strings|unistd|alloca)\.h$"),
+    ("system", r"(dlfcn|elf|fcntl|link|poll|pthread|sched|semaphore|spawn|strings|unistd|alloca|malloc)\.h$"),
 )  # fmt: skip
 
 LAYER = {"std", "system", "khronos", "x11"}
