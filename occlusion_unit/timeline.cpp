@@ -77,7 +77,8 @@ Picoseconds Timeline::fill_of(const Fragments& fragments) {
 
 void Timeline::draw(const DrawWork& work) {
     make_room();
-    const Picoseconds ready = cpu_;
+    // The first command is made before the GPU can see it; the others, and what is copied, follow while it works.
+    const Picoseconds ready = cpu_ + (work.batches != 0 ? profile_.batch : 0);
     Picoseconds copying = 0;
     sums_.copied_triangles += work.copied_triangles;
     if (has(Effect::kDriverCopy)) copying = cost_of(work.copied_triangles, profile_.copied_triangle);

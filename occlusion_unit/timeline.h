@@ -7,12 +7,13 @@
 //   back-pressure   the CPU waits because the FIFO is full
 //   starvation      the GPU has nothing to do although the frame is not over
 //
-// With c and g the two clocks, K the work that the FIFO holds and s the start of a command on the CPU:
+// With c and g the two clocks, and K the work that the FIFO holds:
 //
-//   draw     c = max(c, g-K), s = c, c += batch + copied triangles;  g = max(g, s) + max(vertices, fragments)
-//   query    c = max(c, g-K) + query;  g = max(g, c) + gpu_query + fragments;  its result is there at g +
-//   latency result   c = max(c, when it is there) read     c = max(c, g) + read + pixels;  g = c finish, swap
-//   c = max(c, g)
+//   draw     c = max(c, g-K) + batch;  g = max(g, c) + max(vertices, fragments);  c += copied triangles
+//   query    c = max(c, g-K) + query;  g = max(g, c) + gpu_query + fragments;  its result is there at g + latency
+//   result   c = max(c, when it is there)
+//   read     c = max(c, g) + read + pixels;  g = c
+//   finish, swap   c = max(c, g)
 //
 // A model with these terms and a program's counts reproduces the frame times of the LOG (2001) and CHC (2004)
 // papers (tests/unit/paper_times_test.cpp). That a stage works while the other does, hence max(vertices,
