@@ -85,12 +85,14 @@ DeviceTime::DeviceTime(Context& ctx)
     : ctx_(ctx),
       profile_(settings().device.time->profile),
       file_(open_timeline_file(ctx)),
-      timeline_(profile_, settings().effects, file_.get()) {
+      timeline_(profile_, settings().effects, file_.get()),
+      sampler_(settings().counts_all_fragments) {
 }
 
-void DeviceTime::initialise(bool has_fragment_counts) {
+void DeviceTime::initialise(bool has_statistics) {
+    has_statistics_ = has_statistics;
     const bool has_cost = profile_.fragment != 0 || profile_.depth_fragment != 0;
-    counts_fragments_ = has_fragment_counts && has_cost && has(Effect::kFill) && !settings().is_dry;
+    counts_fragments_ = has_statistics && has_cost && has(Effect::kFill) && !settings().is_dry;
 }
 
 // Queries are compiled into lists, and are errors between Begin and End.
@@ -114,10 +116,11 @@ void DeviceTime::open_window(bool is_of_query, bool is_depth_only) {
 }
 
 void DeviceTime::count() {
-    const bool has_unknown = !window_.batches.empty() && !window_.batches.back().is_known;
-    if (!can_count() || !(counts_fragments_ || has_unknown)) return;
+    const bool counts_triangles = !window_.batches.empty() && !window_.batches.back().is_known;
+    const bool counts_fragments = counts_fragments_ && sampler_.picks();
+    if (!has_statistics_ || !can_count() || !(counts_fragments || counts_triangles)) return;
     const OwnCalls own(ctx_);
-    counters_.begin(ctx_, counts_fragments_, has_unknown);
+    counters_.begin(ctx_, counts_fragments, counts_triangles);
 }
 
 void DeviceTime::stop_counting() {
@@ -159,8 +162,8 @@ void DeviceTime::draw(std::uint64_t triangles, bool is_known, VertexSource sourc
     // What is discarded is not drawn, and only the driver knows.
     if (ctx_.conditional.is_in_driver) is_known = false;
     const bool is_depth_only = !writes_color(ctx_);
-    const bool lacks_count = !is_known && !counters_.counts_primitives() && can_count();
-    const bool goes_on = is_window_open_ && !window_.is_apart && !lacks_count &&
+    const bool goes_on = is_window_open_ && !window_.is_apart &&
+                         is_known == window_.batches.back().is_known &&
                          is_depth_only == window_.is_depth_only &&
                          draws_in_query(ctx_) == window_.is_of_query && window_.batches.size() < kMostBatches;
     if (!goes_on) {
@@ -220,6 +223,7 @@ void DeviceTime::finish() {
 void DeviceTime::swap(std::uint64_t pixels) {
     settle();
     last_frame_ = timeline_.swap(pixels);
+    sampler_.next_frame();
     drop_seen();
 }
 
@@ -328,23 +332,29 @@ void DeviceTime::execute(Command& command) {
 DeviceTime::Counted DeviceTime::take_counts(WorkWindow& window) {
     Counted counted;
     std::uint64_t untold = 0;
-    if (window.counted.fragments != 0 || window.counted.primitives != 0) {
+    if (window.counted != CountedWork{}) {
         const OwnCalls own(ctx_);
-        counted.fragments = counters_.take(ctx_, window.counted.fragments);
-        untold = counters_.take(ctx_, window.counted.primitives);
+        const Work work = counters_.take(ctx_, window.counted);
+        counted.fragments = work.fragments;
+        untold = work.triangles;
     }
-    std::uint64_t unknown_batches = 0;
-    for (const DrawnBatch& batch : window.batches) {
-        if (!batch.is_known) ++unknown_batches;
-        if (batch.is_known) untold -= std::min(untold, batch.triangles);
-    }
+    std::uint64_t batches_left = window.batches.size();
     for (DrawnBatch& batch : window.batches) {
         if (!batch.is_known) {
-            batch.triangles = share(untold, 1, unknown_batches--);
+            batch.triangles = share(untold, 1, batches_left);
             untold -= batch.triangles;
         }
+        --batches_left;
         counted.triangles += batch.triangles;
         if (batch.is_copied) counted.copied_triangles += batch.triangles;
+    }
+    if (!counts_fragments_) return counted;
+    const std::uint64_t things = window.is_of_query ? 1 : counted.triangles;
+    FragmentAverage& average = window.is_of_query ? fragments_of_query_ : fragments_of_triangle_;
+    if (window.counted.front() != 0) {
+        average.add(counted.fragments, things);
+    } else {
+        counted.fragments = average.of(things);
     }
     return counted;
 }

@@ -15,6 +15,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "context/fragment_sampler.h"
 #include "context/work_counters.h"
 #include "occlusion_unit/result_times.h"
 #include "occlusion_unit/timeline.h"
@@ -38,10 +39,11 @@ struct DrawnBatch {
     bool is_copied = false;
 };
 
-// Draws whose fragments are counted together: those of one query, or those between two.
+// Draws whose fragments are counted together: those of one query, or those between two. Of all of them the
+// calls tell the triangles, or of none.
 struct WorkWindow {
     std::vector<DrawnBatch> batches;
-    CountedWork counted;
+    CountedWork counted = {};
     bool is_of_query = false;
     bool is_apart = false;  // of one draw, which is counted by itself
     bool is_depth_only = false;
@@ -58,7 +60,7 @@ class DeviceTime final : public occlusion_unit::ResultTimes {
 
     explicit DeviceTime(Context& ctx);
     // Once the driver can be asked what it has.
-    void initialise(bool has_fragment_counts);
+    void initialise(bool has_statistics);
 
     // What the program does.
     void begin_query();
@@ -133,7 +135,7 @@ class DeviceTime final : public occlusion_unit::ResultTimes {
     void execute(Command& command);
     void execute_draws(WorkWindow& window);
     void execute_query(std::vector<WorkWindow>& windows, std::uint64_t shapes);
-    // What the driver has counted; the triangles that no call told are those of the batches that it cannot.
+    // What the driver has counted; triangles that no call told are shared out evenly.
     struct Counted {
         std::uint64_t fragments = 0;
         std::uint64_t triangles = 0;
@@ -148,7 +150,11 @@ class DeviceTime final : public occlusion_unit::ResultTimes {
     std::unique_ptr<occlusion_unit::TimelineListener> file_;  // null: no timeline is written
     occlusion_unit::Timeline timeline_;
     WorkCounters counters_;
+    bool has_statistics_ = false;
     bool counts_fragments_ = false;
+    FragmentSampler sampler_;
+    FragmentAverage fragments_of_query_;     // a window of it
+    FragmentAverage fragments_of_triangle_;  // outside queries
 
     bool is_window_open_ = false;
     WorkWindow window_;

@@ -93,6 +93,12 @@ constexpr KeyReader kReaders[] = {
      [](std::string_view value, Settings& settings) { return switch_off(value, settings.effects); },
      " is not a list of effects, expected some of latency, back-pressure, fill, driver-copy, multisampling, "
      "read-cost, starvation, saturation, depth-quantisation, with a + between them."},
+    {"fragments",
+     [](std::string_view value, Settings& settings) {
+         settings.counts_all_fragments = value == "all";
+         return value == "all" || value == "some";
+     },
+     " is not a choice for fragments=, expected all or some."},
     {"dry",
      [](std::string_view value, Settings& settings) {
          settings.is_dry = value == "1";
@@ -155,7 +161,7 @@ SettingsOrError parse_settings(const char* text) {
         if (reader == std::end(kReaders)) {
             result.error = quoted(item) +
                            " is not a setting, expected device=, clock=, report=, timeline=, frames=, "
-                           "without=, dry= or probe=.";
+                           "without=, fragments=, dry= or probe=.";
         } else if (!reader->read(value, settings)) {
             result.error = quoted(value) + reader->complaint;
         }

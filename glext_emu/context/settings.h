@@ -7,6 +7,7 @@
 //   timeline=FILE         Trace Event file of the device's time       default none
 //   frames=A..B           the frames that it holds, from 0            default all
 //   without=A+B           effects of the device's time switched off   default none
+//   fragments=all         of every draw, not of half where there are many   default some
 //   dry=1                 draws are counted, not rasterised           default off
 //   probe=unit            the Occlusion Unit watches the program's queries and reports   default none
 //   driver=NAME           the GLVND vendor that the vendor library stands before   default mesa
@@ -38,6 +39,7 @@ struct Settings {
     std::string timeline_path;  // only with the device's clock, as what follows
     FrameRange timeline_frames;
     occlusion_unit::Effects effects = occlusion_unit::all_effects();
+    bool counts_all_fragments = false;
     bool is_dry = false;
     std::string driver;  // empty: mesa
     std::string doctor_path;

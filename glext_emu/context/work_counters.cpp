@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "context/work_counters.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "context/context.h"
@@ -8,62 +9,68 @@
 namespace glext_emu {
 namespace {
 
-constexpr GLenum kFragments = GL_FRAGMENT_SHADER_INVOCATIONS;
-constexpr GLenum kPrimitives = GL_PRIMITIVES_GENERATED;
+enum : std::size_t { kFragments, kVertices, kPrimitives, kClipped };
+
+// Of separate quads, triangles and polygons v vertices in p primitives are v - 2p triangles; of strips and
+// fans p; of strips of quads the clipper alone knows, as long as nothing of them is outside.
+std::uint64_t triangles_of(std::uint64_t vertices, std::uint64_t primitives, std::uint64_t clipped) {
+    const std::uint64_t separate = vertices > 2 * primitives ? vertices - 2 * primitives : 0;
+    return std::max({primitives, separate, clipped});
+}
 
 }  // namespace
 
-GLuint WorkCounters::take_name(Context& ctx, std::vector<GLuint>& spare) {
-    if (spare.empty()) {
-        GLuint made = 0;
-        ctx.real->glGenQueries(1, &made);
-        names_.insert(made);
-        return made;
+void WorkCounters::begin_one(Context& ctx, std::size_t which) {
+    if (is_left_[which]) return;
+    GLuint& name = open_[which];
+    if (spare_[which].empty()) {
+        ctx.real->glGenQueries(1, &name);
+        names_[name] = which;
+    } else {
+        name = spare_[which].back();
+        spare_[which].pop_back();
     }
-    const GLuint name = spare.back();
-    spare.pop_back();
-    return name;
+    ctx.real->glBeginQuery(kWorkTargets[which], name);
 }
 
-void WorkCounters::begin(Context& ctx, bool wants_fragments, bool wants_primitives) {
-    if (wants_fragments && !has_left_fragments_) {
-        open_.fragments = take_name(ctx, spare_fragments_);
-        fragment_names_.insert(open_.fragments);
-        ctx.real->glBeginQuery(kFragments, open_.fragments);
-    }
-    if (wants_primitives && !has_left_primitives_) {
-        open_.primitives = take_name(ctx, spare_primitives_);
-        ctx.real->glBeginQuery(kPrimitives, open_.primitives);
-    }
+void WorkCounters::begin(Context& ctx, bool wants_fragments, bool wants_triangles) {
+    if (wants_fragments) begin_one(ctx, kFragments);
+    if (!wants_triangles) return;
+    for (const std::size_t which : {kVertices, kPrimitives, kClipped}) begin_one(ctx, which);
 }
 
 CountedWork WorkCounters::end(Context& ctx) {
-    if (open_.fragments != 0) ctx.real->glEndQuery(kFragments);
-    if (open_.primitives != 0) ctx.real->glEndQuery(kPrimitives);
+    for (std::size_t which = 0; which < kWorkCounts; ++which) {
+        if (open_[which] != 0) ctx.real->glEndQuery(kWorkTargets[which]);
+    }
     return std::exchange(open_, {});
 }
 
-std::uint64_t WorkCounters::take(Context& ctx, GLuint query) {
-    if (query == 0) return 0;
-    const std::uint64_t count = driver_count(ctx, query);
-    (fragment_names_.contains(query) ? spare_fragments_ : spare_primitives_).push_back(query);
-    return count;
+Work WorkCounters::take(Context& ctx, const CountedWork& counted) {
+    std::array<std::uint64_t, kWorkCounts> counts{};
+    for (std::size_t which = 0; which < kWorkCounts; ++which) {
+        if (counted[which] == 0) continue;
+        counts[which] = driver_count(ctx, counted[which]);
+        spare_[which].push_back(counted[which]);
+    }
+    return {counts[kFragments], triangles_of(counts[kVertices], counts[kPrimitives], counts[kClipped])};
 }
 
 bool WorkCounters::holds(GLenum target) const {
-    return (target == kFragments && open_.fragments != 0) || (target == kPrimitives && open_.primitives != 0);
+    const auto found = std::ranges::find(kWorkTargets, target);
+    return found != kWorkTargets.end() && open_[static_cast<std::size_t>(found - kWorkTargets.begin())] != 0;
 }
 
 void WorkCounters::leave_to_program(GLenum target, bool is_programs) {
-    if (target == kFragments) has_left_fragments_ = is_programs;
-    if (target == kPrimitives) has_left_primitives_ = is_programs;
+    const auto found = std::ranges::find(kWorkTargets, target);
+    if (found != kWorkTargets.end())
+        is_left_[static_cast<std::size_t>(found - kWorkTargets.begin())] = is_programs;
 }
 
 void WorkCounters::forget(Context& ctx, GLuint name) {
-    std::erase(spare_fragments_, name);
-    std::erase(spare_primitives_, name);
-    fragment_names_.erase(name);
-    names_.erase(name);
+    const auto found = names_.find(name);
+    std::erase(spare_[found->second], name);
+    names_.erase(found);
     ctx.real->glDeleteQueries(1, &name);
 }
 

@@ -1,38 +1,49 @@
 // SPDX-License-Identifier: MIT
 // What a program's calls do not tell of its work: how many fragments the rasteriser makes, and how many
 // triangles lie in display lists, between Begin and End or behind an indirect draw. The driver counts them in
-// queries of the layer's own, FRAGMENT_SHADER_INVOCATIONS and PRIMITIVES_GENERATED, which are read late.
-// llvmpipe counts the fragments of 2x2 pixels of which any is covered, before the depth test.
+// pipeline statistics queries of the layer's own, which are read late.
+//
+// llvmpipe counts fragments before the depth test, by blocks of 4x4 pixels of which a triangle touches any: a
+// box of 100x100 pixels is 6 % too large, one of 6x6 three times. It counts a quad as one primitive, of which
+// the clipper makes two.
 #pragma once
 
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include <array>
 #include <cstdint>
-#include <unordered_set>
+#include <unordered_map>
 #include <vector>
 
 namespace glext_emu {
 
 struct Context;
 
-// Names of queries that have ended; 0: not counted.
-struct CountedWork {
-    GLuint fragments = 0;
-    GLuint primitives = 0;
+constexpr std::size_t kWorkCounts = 4;
+constexpr std::array<GLenum, kWorkCounts> kWorkTargets = {GL_FRAGMENT_SHADER_INVOCATIONS,
+                                                          GL_VERTICES_SUBMITTED, GL_CLIPPING_INPUT_PRIMITIVES,
+                                                          GL_CLIPPING_OUTPUT_PRIMITIVES};
+
+// Names of queries that have ended, in the order of kWorkTargets; 0: not counted.
+using CountedWork = std::array<GLuint, kWorkCounts>;
+
+struct Work {
+    std::uint64_t fragments = 0;
+    std::uint64_t triangles = 0;
 };
 
 class WorkCounters {
   public:
     // Begins counting what is wanted and what the program does not count itself. Not while a list is
     // compiled, nor between Begin and End.
-    void begin(Context& ctx, bool wants_fragments, bool wants_primitives);
+    void begin(Context& ctx, bool wants_fragments, bool wants_triangles);
     CountedWork end(Context& ctx);
-    bool is_open() const { return open_.fragments != 0 || open_.primitives != 0; }
-    bool counts_primitives() const { return open_.primitives != 0; }
+    bool is_open() const { return open_ != CountedWork{}; }
+    bool counts_triangles() const { return open_[1] != 0; }
 
-    // What <query> has counted, which is 0 for 0; waits for the driver, and the name is free again.
-    std::uint64_t take(Context& ctx, GLuint query);
+    // What <counted> has counted; waits for the driver, and the names are free again.
+    Work take(Context& ctx, const CountedWork& counted);
 
     // True for a name of the layer's that the driver knows and the program does not.
     bool owns(GLuint name) const { return names_.contains(name); }
@@ -40,22 +51,17 @@ class WorkCounters {
     bool holds(GLenum target) const;
     // The program begins, or has ended, a query of its own on <target>.
     void leave_to_program(GLenum target, bool is_programs);
-    // True where the program counts fragments itself, so that the layer cannot.
-    bool has_left_fragments() const { return has_left_fragments_; }
     // Gives up a free name that the program takes for a query of its own.
     void forget(Context& ctx, GLuint name);
 
   private:
-    GLuint take_name(Context& ctx, std::vector<GLuint>& spare);
+    void begin_one(Context& ctx, std::size_t which);
 
-    CountedWork open_;
-    bool has_left_fragments_ = false;
-    bool has_left_primitives_ = false;
-    std::unordered_set<GLuint> names_;
-    std::unordered_set<GLuint> fragment_names_;  // of them, whose target is the first
-    // An object keeps the target of its first begin.
-    std::vector<GLuint> spare_fragments_;
-    std::vector<GLuint> spare_primitives_;
+    CountedWork open_ = {};
+    std::array<bool, kWorkCounts> is_left_ = {};
+    std::unordered_map<GLuint, std::size_t>
+        names_;  // with their target: an object keeps that of its first begin
+    std::array<std::vector<GLuint>, kWorkCounts> spare_;
 };
 
 }  // namespace glext_emu

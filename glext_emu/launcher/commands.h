@@ -23,6 +23,7 @@ struct RunOptions {
     std::string timeline;  // with the clock `device` only, as the three that follow
     std::string frames;    // A..B; empty: all
     std::string without;   // effects, with commas between them
+    bool counts_all_fragments = false;
     bool is_dry = false;
     std::string front;  // seam, vendor or export; empty: what the program's file asks for
     bool is_verbose = false;

@@ -122,6 +122,7 @@ Environment environment_for(const RunOptions& options, const std::string& doctor
         std::ranges::replace(effects, ',', '+');
         settings += ",without=" + effects;
     }
+    if (options.counts_all_fragments) settings += ",fragments=all";
     if (options.is_dry) settings += ",dry=1";
     if (!options.probe.empty()) {
         if (options.report.empty())
