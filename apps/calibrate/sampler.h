@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Times short bursts of commands, in turn, round after round: whatever else the machine does meets all of
-// them. A burst during which somebody else got the processor is made again.
+// them. A burst during which somebody else got the processor is made again, six times
+// at most; of these the fastest counts.
 #pragma once
 
 #include <functional>
@@ -55,6 +56,10 @@ class Sampler {
     double samples_ = 0;
     double disturbed_ = 0;
 };
+
+/// What one of `count` things costs that `more` has and `less` has not, round by round; alike sweeps.
+std::vector<Series> difference(const std::vector<Series>& more, const std::vector<Series>& less,
+                               double count);
 
 /// A line through the medians of a sweep, and what the lines through its single rounds spread over.
 struct SweepFit {

@@ -15,7 +15,7 @@ int times_for(double size, double most, int least, int limit) {
     return std::clamp(static_cast<int>(most / size), least, limit);
 }
 
-// A draw or a query as the CPU and the GPU see it, whichever is the slower.
+// A draw as the CPU and the GPU see it, whichever is the slower.
 double small_draw(const Costs& costs) {
     return std::max(costs.batch, costs.gpu_batch);
 }
@@ -106,16 +106,18 @@ void measure_queries(Bench& bench) {
     findings.add(slope_term("query_us", fit_sweep(calls, &Times::submit), "queries of a box, until given"));
 
     const int largest = std::min(stage.width(), stage.height());
-    constexpr int kTogether = 16;
-    std::vector<Burst> batched, waited;
+    constexpr int kFew = 4, kMany = 16;
+    std::vector<Burst> few, many, waited;
     for (const int side : {4, 8, 16, 32, 64, 128, 192, 256, 384}) {
         if (side > largest) continue;
         const double fragments = box_fragments(side);
-        batched.push_back({fragments, kTogether,
-                           [&stage, side] {
-                               for (int i = 0; i < kTogether; ++i) stage.query(side);
-                           },
-                           restart});
+        for (const int count : {kFew, kMany})
+            (count == kFew ? few : many)
+                .push_back({fragments, 1,
+                            [&stage, side, count] {
+                                for (int i = 0; i < count; ++i) stage.query(side);
+                            },
+                            restart});
         if (side > 256) continue;
         constexpr int kTrips = 8;
         waited.push_back({fragments, kTrips,
@@ -127,13 +129,17 @@ void measure_queries(Bench& bench) {
                           },
                           restart});
     }
-    const auto together = bench.sampler.measure(batched);
-    findings.keep("queries of boxes, all at once", together);
+    std::vector<Burst> both = few;
+    both.insert(both.end(), many.begin(), many.end());
+    const auto measured = bench.sampler.measure(both);
+    const auto middle = measured.begin() + static_cast<std::ptrdiff_t>(few.size());
+    // What many cost more than few: without the beginning, when the GPU waits for the first, and without the
+    // end, when the CPU waits for the last result.
+    const auto together = difference({middle, measured.end()}, {measured.begin(), middle}, kMany - kFew);
+    findings.keep("queries of boxes, what 16 cost more than 4, each", together);
     const SweepFit work = fit_sweep(together, &Times::total, 1.5 * findings.costs.query);
     findings.add(rate_term("depth_fragments_per_second", work, "queries of boxes at once, until done"));
-    // The GPU cannot begin before the first of them is given.
-    findings.add(intercept_term("gpu_query_us", work, findings.costs.query / kTogether,
-                                "the same line at no fragments, less the first query's giving",
+    findings.add(intercept_term("gpu_query_us", work, 0, "the same line at no fragments",
                                 "nothing is left at no fragments"));
 
     const auto alone = bench.sampler.measure(waited);
