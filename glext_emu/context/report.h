@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The report: one JSON object that is valid at any time, however the program ends. Each write replaces the
-// closing brackets by new records and the brackets again, under a lock, so that processes of one run can
-// share a file:
+// The report: one JSON object that is valid at any time, however the program ends, and that the processes of
+// a run share:
 //
 //   {"glext_emu_report":1,"records":[
 //   {"kind":"context","pid":..,"program":..,"context":..,"platform":..,"device":..,"clock":..,"renderer":..,"version":..},
@@ -23,10 +22,8 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
-#include <mutex>
-#include <string>
 
+#include "context/shared_json_file.h"
 #include "occlusion_unit/record.h"
 
 namespace glext_emu {
@@ -42,35 +39,26 @@ class Report {
     // Does nothing in a process that never had a context.
     static void flush_at_exit();
 
-    // Around fork, so that the child finds the door open; what happened before is the parent's to write.
+    // Around fork, for the timeline's file too, so that the child finds the doors open.
     static void before_fork();
     static void after_fork(bool is_child);
 
-    bool is_wanted() const { return is_wanted_; }
+    bool is_wanted() const { return file_.is_wanted(); }
     void begin_context(const Context& ctx);
     void end_frame(Context& ctx);
     void end_context(Context& ctx);
     // <query>, one of <ctx>, has the registers <record>.
     void add_probe(const Context& ctx, const ProbedQuery& query, const occlusion_unit::Record& record);
-    // Writes what is buffered.
-    void flush();
-
     // What the effects of the device's time were worth to <ctx>.
     void add_effects(const Context& ctx);
 
   private:
     Report();
-    void append(const std::string& record);
-    void flush_locked();
     void add_frame(Context& ctx);
 
     static std::atomic<Report*> made_;
 
-    std::string path_;
-    std::atomic<bool> is_wanted_;  // false too once the file has failed
-    std::mutex mutex_;
-    std::string buffer_;
-    std::chrono::steady_clock::time_point last_flush_{};
+    SharedJsonFile file_;
 };
 
 }  // namespace glext_emu
