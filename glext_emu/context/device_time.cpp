@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdio>
+#include <cstdlib>
 #include <utility>
 
 #include "context/context.h"
@@ -49,6 +51,14 @@ std::uint32_t samples_of(const Context& ctx) {
     GLint samples = 0;
     ctx.real->glGetIntegerv(GL_SAMPLES, &samples);
     return samples > 1 ? static_cast<std::uint32_t>(samples) : 1;
+}
+
+// Draws of one window share its fragments by their triangles, so a few large ones are kept apart from many
+// small ones.
+bool is_alike(std::uint64_t triangles, const DrawnBatch& other) {
+    constexpr int kFactorBits = 4;
+    const auto size_of = [](std::uint64_t count) { return static_cast<int>(std::bit_width(count)); };
+    return std::abs(size_of(triangles) - size_of(other.triangles)) < kFactorBits;
 }
 
 bool draws_in_query(const Context& ctx) {
@@ -162,10 +172,10 @@ void DeviceTime::draw(std::uint64_t triangles, bool is_known, VertexSource sourc
     // What is discarded is not drawn, and only the driver knows.
     if (ctx_.conditional.is_in_driver) is_known = false;
     const bool is_depth_only = !writes_color(ctx_);
-    const bool goes_on = is_window_open_ && !window_.is_apart &&
-                         is_known == window_.batches.back().is_known &&
-                         is_depth_only == window_.is_depth_only &&
-                         draws_in_query(ctx_) == window_.is_of_query && window_.batches.size() < kMostBatches;
+    const bool goes_on =
+        is_window_open_ && !window_.is_apart && is_alike(triangles, window_.batches.front()) &&
+        is_known == window_.batches.back().is_known && is_depth_only == window_.is_depth_only &&
+        draws_in_query(ctx_) == window_.is_of_query && window_.batches.size() < kMostBatches;
     if (!goes_on) {
         pause();
         open_window(draws_in_query(ctx_), is_depth_only);
@@ -362,6 +372,9 @@ DeviceTime::Counted DeviceTime::take_counts(WorkWindow& window) {
 // Fragments are shared out by triangles: the driver counts them together.
 void DeviceTime::execute_draws(WorkWindow& window) {
     const Counted counted = take_counts(window);
+    // Lists and pairs of Begin and End that turned out to hold nothing.
+    const bool was_counted = window.counted != CountedWork{};
+    if (was_counted && counted.triangles == 0 && !window.batches.front().is_known) return;
     std::uint64_t fragments_left = counted.fragments;
     std::uint64_t triangles_left = counted.triangles;
     std::uint64_t batches_left = window.batches.size();
