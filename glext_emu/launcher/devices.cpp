@@ -38,6 +38,9 @@ nlohmann::json as_json_object(const Device& device) {
     put("unit", "depth_bits", device.unit_depth_bits);
     put("unit", "report_queue", device.unit_report_queue);
     put("region", "max_regions", device.max_regions);
+    put("region", "depth_bits", device.region_depth_bits);
+    object["time"] = nullptr;
+    if (device.time) object["time"] = {{"source", device.time->source}, {"quality", device.time->quality}};
     return object;
 }
 
@@ -45,16 +48,18 @@ nlohmann::json as_json_object(const Device& device) {
 
 int list_devices(bool as_json) {
     nlohmann::json all = nlohmann::json::array();
-    if (!as_json) fmt::print("{:<23} {:<5} {:<9} {}\n", "device", "year", "OpenGL", "what it is");
+    if (!as_json)
+        fmt::print("{:<31} {:<5} {:<9} {:<11} {}\n", "device", "year", "OpenGL", "its time", "what it is");
     for (const std::string_view name : builtin_device_names()) {
         const DeviceOrError loaded = load_device(name);
         if (!loaded.device) throw BadUse(loaded.error);
         if (as_json) {
             all.push_back(as_json_object(*loaded.device));
         } else {
-            fmt::print("{:<23} {:<5} {:<9} {}\n", name,
+            fmt::print("{:<31} {:<5} {:<9} {:<11} {}\n", name,
                        loaded.device->year ? std::to_string(*loaded.device->year) : "-",
-                       version_text(*loaded.device), loaded.device->description);
+                       version_text(*loaded.device), loaded.device->time ? loaded.device->time->quality : "-",
+                       loaded.device->description);
         }
     }
     if (as_json) fmt::print("{}\n", all.dump(2));
