@@ -77,7 +77,8 @@ Picoseconds Timeline::fill_of(const Fragments& fragments) {
 
 void Timeline::draw(const DrawWork& work) {
     make_room();
-    // The first command is made before the GPU can see it; the others, and what is copied, follow while it works.
+    // The first command is made before the GPU can see it; the others, and what is copied, follow while it
+    // works.
     const Picoseconds ready = cpu_ + (work.batches != 0 ? profile_.batch : 0);
     Picoseconds copying = 0;
     sums_.copied_triangles += work.copied_triangles;
@@ -143,6 +144,7 @@ void Timeline::wait(const ResultTime& result) {
     stall_until(result.available, Activity::kStall, sums_.stall, result.query);
     sums_.result_stall += cpu_ - before;
     sums_.latency += cpu_ - std::clamp(result.done, before, cpu_);
+    if (listener_ != nullptr && result.query != 0) listener_->fetched(result.query, cpu_);
 }
 
 void Timeline::wait_until(Picoseconds end, std::uint64_t query) {

@@ -10,10 +10,9 @@
 // With c and g the two clocks, and K the work that the FIFO holds:
 //
 //   draw     c = max(c, g-K) + batch;  g = max(g, c) + max(vertices, fragments);  c += copied triangles
-//   query    c = max(c, g-K) + query;  g = max(g, c) + gpu_query + fragments;  its result is there at g + latency
-//   result   c = max(c, when it is there)
-//   read     c = max(c, g) + read + pixels;  g = c
-//   finish, swap   c = max(c, g)
+//   query    c = max(c, g-K) + query;  g = max(g, c) + gpu_query + fragments;  its result is there at g +
+//   latency result   c = max(c, when it is there) read     c = max(c, g) + read + pixels;  g = c finish, swap
+//   c = max(c, g)
 //
 // A model with these terms and a program's counts reproduces the frame times of the LOG (2001) and CHC (2004)
 // papers (tests/unit/paper_times_test.cpp). That a stage works while the other does, hence max(vertices,
@@ -124,6 +123,11 @@ class TimelineListener {
     virtual void span(const Span& span) = 0;
     // The work of <query> was done at <done>; the CPU may see its result at <available>.
     virtual void result(std::uint64_t query, Picoseconds done, Picoseconds available) = 0;
+    // The program has the result of <query> at <time> on the CPU, after a stall or without one.
+    virtual void fetched(std::uint64_t query, Picoseconds time) {
+        static_cast<void>(query);
+        static_cast<void>(time);
+    }
     // A frame is over: number <index> from 0, at <end> on the CPU.
     virtual void frame(std::uint64_t index, Picoseconds end, const TimeSums& sums) = 0;
 };

@@ -102,6 +102,8 @@ class DeviceTime final : public occlusion_unit::ResultTimes {
     void leave_to_program(GLenum target, bool is_programs);
 
     WorkCounters& counters() { return counters_; }
+    // The context is at its end, in the midst of a frame.
+    void end_unfinished_frame() { last_frame_ = timeline_.frame_sums(); }
     // Of the last frame that ended; of everything.
     const occlusion_unit::TimeSums& last_frame() const { return last_frame_; }
     occlusion_unit::TimeSums totals() const { return timeline_.total_sums(); }

@@ -137,6 +137,7 @@ void Report::end_frame(Context& ctx) {
 
 void Report::end_context(Context& ctx) {
     if (!is_wanted() || !ctx.is_initialised) return;
+    if (ctx.time != nullptr) ctx.time->end_unfinished_frame();
     if (!ctx.frame.is_empty()) end_frame(ctx);
     if (ctx.time != nullptr) add_effects(ctx);
     file_.flush();

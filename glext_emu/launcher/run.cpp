@@ -11,6 +11,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "context/shared_json_file.h"
 #include "launcher/commands.h"
 
 namespace glext_emu::launcher {
@@ -18,20 +19,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kReportStart = "{\"glext_emu_report\":1,";
-constexpr std::string_view kEmptyReport = "{\"glext_emu_report\":1,\"records\":[\n]}\n";
+// <length> bytes of <file> from <at>; fewer where it is shorter.
+std::string bytes_of(std::ifstream& file, std::uintmax_t at, std::size_t length) {
+    std::string bytes(length, '\0');
+    file.clear();
+    file.seekg(static_cast<std::streamoff>(at));
+    file.read(bytes.data(), static_cast<std::streamsize>(length));
+    bytes.resize(static_cast<std::size_t>(file.gcount()));
+    return bytes;
+}
 
-// An empty report, over an older one; nothing else is overwritten.
-void start_report(const std::string& path) {
+// An empty file of <kind>, over an older one; nothing else is overwritten.
+void start_file(const JsonFileKind& kind, const std::string& path) {
     std::error_code ignored;
-    if (fs::exists(path, ignored) && fs::file_size(path, ignored) != 0) {
-        std::string start(kReportStart.size(), '\0');
-        std::ifstream(path).read(start.data(), static_cast<std::streamsize>(start.size()));
-        if (start != kReportStart) throw BadUse(fmt::format("{} exists and is not a report.", path));
+    const std::uintmax_t size = fs::exists(path, ignored) ? fs::file_size(path, ignored) : 0;
+    if (size != 0) {
+        std::ifstream old(path, std::ios::binary);
+        const bool is_one = size >= kind.head.size() + kind.tail.size() &&
+                            bytes_of(old, 0, kind.head.size()) == kind.head &&
+                            bytes_of(old, size - kind.tail.size(), kind.tail.size()) == kind.tail;
+        if (!is_one) throw BadUse(fmt::format("{} exists and is not a {}.", path, kind.name));
     }
     std::ofstream file(path, std::ios::trunc);
-    file << kEmptyReport;
-    if (!file.flush()) throw BadUse(fmt::format("the report {} cannot be written.", path));
+    file << kind.head << kind.tail;
+    if (!file.flush()) throw BadUse(fmt::format("the {} {} cannot be written.", kind.name, path));
 }
 
 }  // namespace
@@ -53,7 +64,8 @@ int run(const RunOptions& options) {
     const char* wish = std::getenv("GLEXT_EMU");
     if (wish == nullptr || std::strcmp(wish, "0") != 0) {
         const Environment environment = environment_for(options);
-        if (!options.report.empty()) start_report(options.report);
+        if (!options.report.empty()) start_file(kReportKind, options.report);
+        if (!options.timeline.empty()) start_file(kTimelineKind, options.timeline);
         if (options.is_verbose) {
             for (const auto& [name, value] : environment.variables) {
                 if (value) fmt::print(stderr, "{}={} ", name, *value);
