@@ -6,39 +6,17 @@
 
 #include <array>
 #include <random>
-#include <thread>
-#include <vector>
 
 #include "thread_context.h"
 
 namespace threads {
 namespace {
 
-constexpr int kThreads = 8;
 constexpr int kRounds = 400;  // of each thread
-constexpr float kInFront = -0.5F, kBehind = 0.5F;
+constexpr float kInFront = -0.5F;
 
 // The name of each context's query that the shared list begins: query names belong to a context.
 constexpr GLuint kListQuery = 1;
-
-struct Box {
-    int width, height;
-    bool in_front;
-
-    explicit Box(std::mt19937& random)
-        : width(1 + static_cast<int>(random() % 16)),
-          height(1 + static_cast<int>(random() % 16)),
-          in_front((random() & 1U) != 0) {}
-    void draw() const { draw_pixels(width, height, in_front ? kInFront : kBehind); }
-    GLuint samples() const { return in_front ? static_cast<GLuint>(width * height) : 0; }
-};
-
-void draw_occluder() {
-    glEnable(GL_DEPTH_TEST);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    draw_pixels(kSize, kSize, 0.0F);
-    glDepthMask(GL_FALSE);
-}
 
 bool read_hp() {
     GLboolean result = GL_FALSE;
@@ -96,37 +74,38 @@ class Inquirer {
     }
 
     bool ask_hp() {
-        const Box box(random_);
+        const Block block(random_);
         glEnable(GL_OCCLUSION_TEST_HP);
         read_hp();
-        box.draw();
+        block.draw();
         glDisable(GL_OCCLUSION_TEST_HP);
-        return read_hp() == box.in_front;
+        return read_hp() == block.in_front;
     }
 
     bool ask_nv() {
         GLuint name = 0;
-        const Box box(random_);
+        const Block block(random_);
         glGenOcclusionQueriesNV(1, &name);
         glBeginOcclusionQueryNV(name);
-        box.draw();
+        block.draw();
         glEndOcclusionQueryNV();
-        const bool is_right = read_nv(name) == box.samples();
+        const bool is_right = read_nv(name) == block.samples();
         glDeleteOcclusionQueriesNV(1, &name);
         return is_right;
     }
 
     bool ask_arb(GLenum target, GLuint name) {
-        const Box box(random_);
+        const Block block(random_);
         glBeginQuery(target, name);
-        box.draw();
+        block.draw();
         glEndQuery(target);
         const GLuint result = read_arb(name);
-        return result == (target == GL_SAMPLES_PASSED ? box.samples() : static_cast<GLuint>(box.in_front));
+        return result ==
+               (target == GL_SAMPLES_PASSED ? block.samples() : static_cast<GLuint>(block.in_front));
     }
 
     bool ask_conditionally() {
-        const Box condition(random_);
+        const Block condition(random_);
         glBeginQuery(GL_ANY_SAMPLES_PASSED, names_[3]);
         condition.draw();
         glEndQuery(GL_ANY_SAMPLES_PASSED);
@@ -144,15 +123,15 @@ class Inquirer {
     }
 
     bool ask_by_own_list() {
-        const Box box(random_);
+        const Block block(random_);
         const GLuint list = glGenLists(1);
         glNewList(list, GL_COMPILE);
         glBeginOcclusionQueryNV(kListQuery);
-        box.draw();
+        block.draw();
         glEndOcclusionQueryNV();
         glEndList();
         glCallList(list);
-        const bool is_right = read_nv(kListQuery) == box.samples();
+        const bool is_right = read_nv(kListQuery) == block.samples();
         glDeleteLists(list, 1);
         return is_right;
     }
@@ -180,20 +159,9 @@ TEST(every_query_in_threads, eight_threads_of_a_share_group_get_their_own_answer
     first.make_current();
     const GLuint list = compile_shared_list();
     ThreadContext::release();
-    std::array<int, kThreads> wrong;
-    wrong.fill(-1);
-    std::vector<std::thread> threads;
-    for (unsigned index = 0; index < kThreads; ++index) {
-        threads.emplace_back([&, index] {
-            const ThreadContext context(&first);
-            context.make_current();
-            wrong[index] = Inquirer(index, list).count_wrong_answers();
-            ThreadContext::release();
-        });
-    }
-    for (std::thread& thread : threads) thread.join();
-    std::array<int, kThreads> none{};
-    EXPECT_EQ(wrong, none);
+    const WrongAnswers wrong =
+        ask_in_threads(first, [list](unsigned index) { return Inquirer(index, list).count_wrong_answers(); });
+    EXPECT_EQ(wrong, WrongAnswers{});
 }
 
 }  // namespace

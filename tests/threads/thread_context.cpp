@@ -4,6 +4,8 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <thread>
+#include <vector>
 
 namespace threads {
 namespace {
@@ -79,6 +81,29 @@ void draw_pixels(int width, int height, float z) {
     glVertex3f(1, 1, z);
     glVertex3f(-1, 1, z);
     glEnd();
+}
+
+void draw_occluder() {
+    glEnable(GL_DEPTH_TEST);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    draw_pixels(kSize, kSize, 0.0F);
+    glDepthMask(GL_FALSE);
+}
+
+WrongAnswers ask_in_threads(const ThreadContext& first, const std::function<int(unsigned)>& ask) {
+    WrongAnswers wrong;
+    wrong.fill(-1);
+    std::vector<std::thread> threads;
+    for (unsigned index = 0; index < wrong.size(); ++index) {
+        threads.emplace_back([&, index] {
+            const ThreadContext context(&first);
+            context.make_current();
+            wrong[index] = ask(index);
+            ThreadContext::release();
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    return wrong;
 }
 
 }  // namespace threads

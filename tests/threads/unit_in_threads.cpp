@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <random>
-#include <thread>
 #include <vector>
 
 #include "thread_context.h"
@@ -18,9 +18,8 @@
 namespace threads {
 namespace {
 
-constexpr int kThreads = 8;
 constexpr int kRounds = 150;  // of each thread
-constexpr float kInFront = -0.5F, kBehind = 0.5F;
+constexpr float kInFront = -0.5F;
 
 // The name of each context's query that the shared list begins: query names belong to a context.
 constexpr GLuint kListQuery = 1;
@@ -51,34 +50,16 @@ const Commands& gl_emu() {
     return all;
 }
 
-struct Block {
-    int width, height;
-    bool in_front;
-
-    explicit Block(std::mt19937& random)
-        : width(1 + static_cast<int>(random() % 16)),
-          height(1 + static_cast<int>(random() % 16)),
-          in_front((random() & 1U) != 0) {}
-    void draw() const { draw_pixels(width, height, in_front ? kInFront : kBehind); }
-
-    // What the unit has to tell of it; all of its coordinates are exact in every format.
-    bool is(const GLocclusionrecordEMU& record) const {
-        const auto all = static_cast<GLuint64>(width * height);
-        const std::array box = {record.box[0], record.box[1], record.box[2], record.box[3]};
-        const std::array seen =
-            in_front ? std::array<GLint, 4>{0, 0, width - 1, height - 1} : std::array<GLint, 4>{0, 0, -1, -1};
-        return record.registers == GL_ALL_REGISTERS_EMU && record.projected_hits == all &&
-               record.visible_hits == (in_front ? all : 0) && record.visible == (in_front ? 1U : 0U) &&
-               record.nearest_depth >= (in_front ? 0.2499F : 1.0F) &&
-               record.nearest_depth <= (in_front ? 0.2501F : 1.0F) && box == seen;
-    }
-};
-
-void draw_occluder() {
-    glEnable(GL_DEPTH_TEST);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    draw_pixels(kSize, kSize, 0.0F);
-    glDepthMask(GL_FALSE);
+// What the unit has to tell of a block.
+bool tells(const GLocclusionrecordEMU& record, const Block& block) {
+    constexpr float kRounding = 1e-6F;  // more than a step of 24 bits
+    const std::array box = {record.box[0], record.box[1], record.box[2], record.box[3]};
+    const std::array<GLint, 4> seen = {0, 0, block.in_front ? block.width - 1 : -1,
+                                       block.in_front ? block.height - 1 : -1};
+    const float nearest = block.in_front ? 0.25F : 1.0F;
+    return record.registers == GL_ALL_REGISTERS_EMU && record.projected_hits == block.all_samples() &&
+           record.visible_hits == block.samples() && record.visible == (block.in_front ? 1U : 0U) &&
+           std::abs(record.nearest_depth - nearest) < kRounding && box == seen;
 }
 
 GLocclusionrecordEMU read_record(GLuint name) {
@@ -129,7 +110,7 @@ class Inquirer {
         gl_emu().begin(GL_ALL_REGISTERS_EMU, names_[1]);
         block.draw();
         gl_emu().end();
-        return block.is(read_record(names_[1]));
+        return tells(read_record(names_[1]), block);
     }
 
     bool ask_of_a_bounding_block() {
@@ -153,9 +134,9 @@ class Inquirer {
         const std::array blocks = {Block(random_), Block(random_)};
         std::vector<GLfloat> corners;
         for (const Block& block : blocks) {
-            const float z = block.in_front ? kInFront : kBehind;
             const auto at = [](int pixels) { return 2.0F * static_cast<float>(pixels) / kSize - 1.0F; };
-            corners.insert(corners.end(), {-1.0F, -1.0F, z, at(block.width), at(block.height), z});
+            corners.insert(corners.end(),
+                           {-1.0F, -1.0F, block.z(), at(block.width), at(block.height), block.z()});
         }
         glViewport(0, 0, kSize, kSize);
         gl_emu().shapes(GL_ALL_REGISTERS_EMU, GL_BOX_EMU, 2, corners.data(), nullptr, names_[2]);
@@ -165,7 +146,7 @@ class Inquirer {
             record.projected_hits /= 2;
             record.visible_hits /= 2;
         }
-        return blocks[0].is(records[0]) && blocks[1].is(records[1]);
+        return tells(records[0], blocks[0]) && tells(records[1], blocks[1]);
     }
 
     bool ask_of_regions() {
@@ -192,7 +173,7 @@ class Inquirer {
         gl_emu().end();
         glEndList();
         glCallList(list);
-        const bool is_right = block.is(read_record(kListQuery));
+        const bool is_right = tells(read_record(kListQuery), block);
         glDeleteLists(list, 1);
         return is_right;
     }
@@ -218,20 +199,9 @@ TEST(unit_in_threads, eight_threads_of_a_share_group_get_their_own_answers) {
     first.make_current();
     const GLuint list = compile_shared_list();
     ThreadContext::release();
-    std::array<int, kThreads> wrong;
-    wrong.fill(-1);
-    std::vector<std::thread> threads;
-    for (unsigned index = 0; index < kThreads; ++index) {
-        threads.emplace_back([&, index] {
-            const ThreadContext context(&first);
-            context.make_current();
-            wrong[index] = Inquirer(index, list).count_wrong_answers();
-            ThreadContext::release();
-        });
-    }
-    for (std::thread& thread : threads) thread.join();
-    std::array<int, kThreads> none{};
-    EXPECT_EQ(wrong, none);
+    const WrongAnswers wrong =
+        ask_in_threads(first, [list](unsigned index) { return Inquirer(index, list).count_wrong_answers(); });
+    EXPECT_EQ(wrong, WrongAnswers{});
 }
 
 }  // namespace
