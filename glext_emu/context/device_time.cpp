@@ -28,6 +28,8 @@ constexpr std::uint64_t kVolumeTriangles = 12;
 // Commands and draws are kept until somebody asks for a time, but not more of them than this.
 constexpr std::size_t kMostKept = 1 << 14;
 constexpr std::size_t kMostBatches = 1 << 14;
+// Results that have come are remembered by name for a while, for the timeline's file.
+constexpr std::size_t kMostResults = 1 << 12;
 
 constexpr std::uint64_t kPicosecondsPerNanosecond = 1000;
 
@@ -234,12 +236,17 @@ void DeviceTime::swap(std::uint64_t pixels) {
     settle();
     last_frame_ = timeline_.swap(pixels);
     sampler_.next_frame();
-    drop_seen();
 }
 
 DeviceTime::Tick DeviceTime::stamp() {
     pause();
     keep({.kind = Kind::kStamp, .amount = last_ticket_ + 1});
+    return ++last_ticket_;
+}
+
+DeviceTime::Tick DeviceTime::mark() {
+    pause();
+    keep({.kind = Kind::kStamp});
     return ++last_ticket_;
 }
 
@@ -282,7 +289,6 @@ bool DeviceTime::has_come(Tick ticket) {
 void DeviceTime::wait_for(Tick ticket) {
     settle();
     timeline_.wait(time_of(ticket));
-    drop_seen();
 }
 
 bool DeviceTime::wait_for(Tick ticket, std::uint64_t most_ns) {
@@ -310,6 +316,7 @@ void DeviceTime::settle() {
     // The room is used again.
     commands.clear();
     if (kept_.empty()) kept_ = std::move(commands);
+    drop_seen();
 }
 
 void DeviceTime::execute(Command& command) {
@@ -332,7 +339,7 @@ void DeviceTime::execute(Command& command) {
                                                            kPicosecondsPerNanosecond));
         case Kind::kStamp: {
             const ResultTime stamp = timeline_.stamp();
-            stamps_[command.amount] = stamp.done;
+            if (command.amount != 0) stamps_[command.amount] = stamp.done;
             results_.push_back(stamp);
             return;
         }
@@ -421,7 +428,7 @@ ResultTime DeviceTime::time_of(Tick ticket) const {
 }
 
 void DeviceTime::drop_seen() {
-    while (!results_.empty() && timeline_.has_come(results_.front())) {
+    while (results_.size() > kMostResults && timeline_.has_come(results_.front())) {
         results_.pop_front();
         ++first_result_;
     }

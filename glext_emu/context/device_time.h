@@ -83,6 +83,8 @@ class DeviceTime final : public occlusion_unit::ResultTimes {
     // The GPU's time when all before it is done: a ticket, and what it stands for once it has come.
     Tick stamp();
     std::uint64_t stamped_ns(Tick ticket);
+    // The same where nobody will ask for the time, only whether it has come.
+    Tick mark();
     void forget_stamp(Tick ticket) { stamps_.erase(ticket); }
     // The CPU's time.
     std::uint64_t now_ns();
@@ -107,10 +109,6 @@ class DeviceTime final : public occlusion_unit::ResultTimes {
     // Of the last frame that ended; of everything.
     const occlusion_unit::TimeSums& last_frame() const { return last_frame_; }
     occlusion_unit::TimeSums totals() const { return timeline_.total_sums(); }
-    // What the counters and depths of a smaller machine changed.
-    std::uint64_t saturated_results = 0;
-    std::uint64_t quantised_depths = 0;
-    std::uint64_t results_seen = 0;
 
   private:
     enum class Kind : std::uint8_t {

@@ -50,7 +50,7 @@ void finish(Context& ctx) {
 GLsync fence_sync(Context& ctx, GLenum condition, GLbitfield flags) {
     GLsync sync = ctx.real->glFenceSync(condition, flags);
     if (sync == nullptr || !ctx.clock.delays()) return sync;
-    const occlusion_unit::Tick due = ctx.time != nullptr ? ctx.time->stamp() : ctx.clock.latest_due();
+    const occlusion_unit::Tick due = ctx.time != nullptr ? ctx.time->mark() : ctx.clock.latest_due();
     const std::lock_guard lock(ctx.share_group->mutex);
     ctx.share_group->fences[sync] = {due, ctx.number};
     return sync;
