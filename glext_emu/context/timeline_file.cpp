@@ -162,6 +162,18 @@ void TimelineFile::result(std::uint64_t query, Picoseconds, Picoseconds availabl
     write();
 }
 
+// By a stall or a poll, which has come by, or without.
+void TimelineFile::fetched(std::uint64_t query, Picoseconds time) {
+    if (!is_wanted_) return;
+    const std::lock_guard lock(mutex_);
+    if (generation_ != file_.generation()) begin_process();
+    OpenFlow* const flow = find_flow(query);
+    if (flow == nullptr) return;
+    add_flow('f', kCpu, nanoseconds(time), query, false);
+    *flow = {};
+    write();
+}
+
 void TimelineFile::frame(std::uint64_t index, Picoseconds end, const TimeSums& sums) {
     const std::lock_guard lock(mutex_);
     if (generation_ != file_.generation()) begin_process();
@@ -231,10 +243,10 @@ void TimelineFile::add_slice(Lane lane, const Span& span) {
     if (span.fragments != 0) event.argument("fragments", span.fragments);
 }
 
-void TimelineFile::add_flow(char phase, Lane lane, std::int64_t at_ns, std::uint64_t query) {
+void TimelineFile::add_flow(char phase, Lane lane, std::int64_t at_ns, std::uint64_t query, bool is_within) {
     TraceEvent event(text_, phase, pid_, thread_of(lane), "query", "query");
     event.at(at_ns).id(id_of(query));
-    if (phase == 'f') event.field("bp", "e");
+    if (phase == 'f' && is_within) event.field("bp", "e");
     event.argument("query", query);
 }
 

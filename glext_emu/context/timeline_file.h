@@ -9,7 +9,8 @@
 //            overlap), and a counter: microseconds of work that the GPU had before it
 //   GPU      what the GPU did, and where it had nothing to do: starvation
 //
-// A query is a flow from its command to its work to the stall or poll that fetched its result.
+// A query is a flow from its command to its work to the stall or poll that fetched its result, or to what
+// came next where the result was there.
 //
 // Viewers keep nanoseconds and drop a slice that overlaps the next by one, so the ends of slices are rounded
 // down to nanoseconds; the exact length is beside, in picoseconds: "args":{"ps":..}.
@@ -38,6 +39,7 @@ class TimelineFile final : public occlusion_unit::TimelineListener {
     void span(const occlusion_unit::Span& span) override;
     void result(std::uint64_t query, occlusion_unit::Picoseconds done,
                 occlusion_unit::Picoseconds available) override;
+    void fetched(std::uint64_t query, occlusion_unit::Picoseconds time) override;
     void frame(std::uint64_t index, occlusion_unit::Picoseconds end,
                const occlusion_unit::TimeSums& sums) override;
 
@@ -59,7 +61,8 @@ class TimelineFile final : public occlusion_unit::TimelineListener {
     void gpu_span(const occlusion_unit::Span& span);
     void add_names();
     void add_slice(Lane lane, const occlusion_unit::Span& span);
-    void add_flow(char phase, Lane lane, std::int64_t at_ns, std::uint64_t query);
+    // <is_within> a slice, or at the beginning of the next.
+    void add_flow(char phase, Lane lane, std::int64_t at_ns, std::uint64_t query, bool is_within = true);
     void add_wait_in_fifo(const occlusion_unit::Span& span);
     // The GPU has <work> before it at <at>.
     void add_fifo_level(occlusion_unit::Picoseconds at, occlusion_unit::Picoseconds work);

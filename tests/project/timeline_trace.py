@@ -151,9 +151,12 @@ def check_flows(events, threads):
         check(times == sorted(times), flow[0], "a flow goes back in time")
     begins = {thread: [each.begin for each in slices] for thread, slices in threads.items()}
     for event in (event for flow in flows.values() for event in flow):
+        # An end without "bp" is tied to the slice that comes next, if one does.
+        if event["ph"] == "f" and "bp" not in event:
+            continue
         thread = event["pid"], event["tid"]
-        check(is_covered(threads[thread], begins.get(thread, ()), nanoseconds(event["ts"])), event,
-              "a flow's event is in no slice, so viewers cannot tie it to one")  # fmt: skip
+        is_tied = is_covered(threads[thread], begins.get(thread, ()), nanoseconds(event["ts"]))
+        check(is_tied, event, "a flow's event is in no slice, so viewers cannot tie it to one")
 
 
 def is_covered(slices, begins, time_ns):

@@ -118,21 +118,22 @@ TEST_F(TimelineFiles, a_query_is_a_flow_from_its_command_to_its_work_to_its_resu
     feed(path(), {}, better_order);
     std::map<std::string, std::string> phases;
     std::map<std::string, std::vector<std::int64_t>> times;
+    std::size_t ends_of_stalls = 0;
     for (const json& event : events()) {
         const std::string phase = event["ph"];
         if (phase != "s" && phase != "t" && phase != "f") continue;
         phases[event["id"]] += phase;
         times[event["id"]].push_back(nanoseconds(event["ts"]));
-        EXPECT_EQ(event.contains("bp"), phase == "f");
+        if (phase == "f" && event.contains("bp")) ++ends_of_stalls;
     }
     EXPECT_EQ(phases.size(), 7U);
-    int fetched = 0;
     for (const auto& [id, phase] : phases) {
-        EXPECT_TRUE(phase == "stf" || phase == "st") << phase << ": no stall where the result was there";
-        fetched += phase == "stf" ? 1 : 0;
+        EXPECT_EQ(phase, "stf") << id;
         EXPECT_TRUE(std::ranges::is_sorted(times[id]));
     }
-    EXPECT_EQ(fetched, static_cast<int>(slices("cpu", "stall").size()));
+    // The other results were there when they were wanted, and go to what came next.
+    EXPECT_EQ(ends_of_stalls, slices("cpu", "stall").size());
+    EXPECT_LT(ends_of_stalls, 7U);
 }
 
 TEST_F(TimelineFiles, a_flow_ends_at_the_poll_that_sees_the_result) {
@@ -157,7 +158,7 @@ TEST_F(TimelineFiles, a_flow_ends_at_the_poll_that_sees_the_result) {
 TEST_F(TimelineFiles, commands_wait_in_the_fifo_and_a_full_one_presses_back) {
     TimeSums sums;
     feed(path(), {}, [&](Timeline& timeline) {
-        for (int i = 0; i < 20; ++i) timeline.draw({.triangles = 1200, .fragments = {}});
+        for (int i = 0; i < 20; ++i) timeline.draw({.triangles = 2400, .fragments = {}});
         sums = timeline.swap(0);
     });
     std::map<std::string, std::int64_t> begun;
@@ -177,7 +178,7 @@ TEST_F(TimelineFiles, commands_wait_in_the_fifo_and_a_full_one_presses_back) {
     EXPECT_EQ(sum_ps(slices("cpu", "back-pressure")), sums.back_pressure);
     // What it holds, and the command that came last.
     EXPECT_GT(fullest_us, 60);
-    EXPECT_LT(fullest_us, 60 + 1.01 * 1200 * 0.019417477);
+    EXPECT_LT(fullest_us, 60 + 1.01 * 2400 * 0.009417477);
 }
 
 TEST_F(TimelineFiles, only_the_frames_that_are_asked_for_are_written) {
