@@ -7,9 +7,9 @@ import sys
 from pathlib import Path
 
 from .machine import describe
-from .matrix import build_matrix
+from .matrix import build_device_matrix, build_matrix
 from .progress import Progress
-from .runs import Settings, measure
+from .runs import Settings, measure, measure_device_time
 
 ROOT = Path(__file__).resolve().parents[2]
 QUICK = {"frames": 8, "scale": 0.15, "latencies": [0, 50], "rounds": 1}
@@ -94,6 +94,7 @@ def main(arguments):
 
     # matplotlib is needed only from here on: options are checked on machines that lack it yet.
     from .checks import run_checks
+    from .device_time import DeviceRow, build_device_rows, run_device_checks
     from .page import write_page
     from .rows import build_rows, write_csv
 
@@ -103,27 +104,31 @@ def main(arguments):
         programs=options.programs, out=options.out.resolve(), frames=options.frames, scale=options.scale,
         rounds=options.rounds, size=SIZE, environment=environment_of(options),
     )  # fmt: skip
-    matrix = build_matrix(options.latencies)
+    matrix, device_matrix = build_matrix(options.latencies), build_device_matrix()
     image_frame = int(PICTURE_AT * options.frames)
-    progress = Progress(matrix, options.rounds)
+    progress = Progress(matrix, options.rounds, device_matrix)
     measured, failures = measure(matrix, settings, image_frame, progress)
+    device_measured, more_failures = measure_device_time(device_matrix, settings, image_frame, progress)
+    failures += more_failures
     progress.close()
 
     rows = build_rows(measured)
-    checks = run_checks(measured)
+    device_rows = build_device_rows(device_measured)
+    checks = run_checks(measured) + run_device_checks(device_measured, measured)
     write_csv(rows, settings.out / "table.csv")
+    write_csv(device_rows, settings.out / "device_time.csv", DeviceRow)
     summary = next((value.judged.summary for value in measured.values() if value.judged), {})
     write_page(
-        settings.out / "index.html", measured=measured, rows=rows, checks=checks, failures=failures,
+        settings.out / "index.html", measured=measured, rows=rows, device_rows=device_rows, checks=checks, failures=failures,
         machine=describe(ROOT, options.threads, summary, SIZE, load_before), settings=settings,
         image_frame=image_frame, scene_triangles=summary.get("scene_triangles", 0),
         quick=options.quick, command=command_line(options),
     )  # fmt: skip
-    return report(rows, checks, failures, settings.out / "index.html")
+    return report(rows, device_rows, checks, failures, settings.out / "index.html")
 
 
-def report(rows, checks, failures, page):
-    """The end on the terminal: the table in short, what failed, where the page lies."""
+def report(rows, device_rows, checks, failures, page):
+    """The end on the terminal: the tables in short, what failed, where the page lies."""
     print(f"{'device':16} {'culler':14} {'late, us':>8} {'queries':>8} {'triangles':>10} {'frame ms':>9} "
           f"{'waiting':>8} {'speed-up':>8}")  # fmt: skip
     for row in rows:
@@ -132,6 +137,10 @@ def report(rows, checks, failures, page):
         faster = "-" if row.speedup_of_means is None else f"{row.speedup_of_means:.2f}"
         print(f"{row.device:16} {row.culler:14} {late:>8} {row.queries:8.0f} {row.drawn_triangles:10.0f} "
               f"{row.frame_ms:9.1f} {wait:>8} {faster:>8}{'  the same again' if row.repeat else ''}")  # fmt: skip
+    for row in device_rows:
+        faster = "-" if row.speedup_of_means is None else f"{row.speedup_of_means:.2f}"
+        print(f"{row.device:16} {row.culler:14} {'its own':>8} {row.queries:8.0f} {row.drawn_triangles:10.0f} "
+              f"{row.device_ms:9.2f} {row.stall_ms:8.2f} {faster:>8}")  # fmt: skip
     broken = [check for check in checks if not check.holds]
     for check in broken:
         print(f"DOES NOT HOLD: {check.sentence}: {'; '.join(check.faults[:3])}")

@@ -8,6 +8,8 @@ DEVICES = ("visualize-fx", "geforce-fx-5950")
 QUERYING = ("stop-and-wait",)
 BASELINE = "frustum"
 BOUND = "ideal"
+# Measured in its own time too: the paper's machine, whose costs are fitted to the paper's figures.
+TIMED_DEVICE = "geforce-fx-5950"
 
 DEVICE_TITLES = {
     "visualize-fx": "HP Visualize fx (1997): one test at a time, GL_HP_occlusion_test",
@@ -17,26 +19,37 @@ DEVICE_TITLES = {
 
 @dataclass(frozen=True)
 class Configuration:
-    """One row of the table. `repeat` tells the two rows of an A/A pair apart; nothing else may use it."""
+    """One row of a table. `repeat` tells the two rows of an A/A pair apart; nothing else may use it."""
 
     device: str
     culler: str
     latency_us: float = 0
     repeat: int = 0
+    in_device_time: bool = False
 
     @property
     def clock(self):
-        """The layer's clock: `none` leaves the driver's own time, `wall=US` delays each result."""
+        """The layer's clock: `none` leaves the driver's own time, `wall=US` delays each result, `device` is the
+        device's own time."""
+        if self.in_device_time:
+            return "device"
         return f"wall={self.latency_us:g}" if self.latency_us else "none"
 
     @property
     def name(self):
         """Also the stem of this configuration's files."""
+        if self.in_device_time:
+            return f"{self.device}.{self.culler}.device-time"
         return f"{self.device}.{self.culler}.{self.latency_us:g}us" + (".again" if self.repeat else "")
 
     @property
     def queries(self):
         return self.culler in QUERYING
+
+
+def build_device_matrix():
+    """The rows in the device's own time: with results as late as they are on it."""
+    return [Configuration(TIMED_DEVICE, culler, in_device_time=True) for culler in (BASELINE, *QUERYING, BOUND)]
 
 
 def build_matrix(latencies_us, devices=DEVICES):

@@ -7,10 +7,10 @@ from html import escape
 from pathlib import Path
 from string import Template
 
-from . import plots, tables
-from .matrix import BASELINE, BOUND, DEVICE_TITLES, QUERYING
+from . import plots, tables, timeline_picture
+from .matrix import BASELINE, BOUND, DEVICE_TITLES, QUERYING, TIMED_DEVICE, build_device_matrix
 from .rows import break_even_us, query_budget_us, row_with
-from .runs import PICTURES
+from .runs import PICTURES, WARM_UP_FRAMES, timeline_file
 
 HERE = Path(__file__).parent
 CAPTIONS = (
@@ -83,6 +83,33 @@ def pictures(folder, frame):
     return "\n".join(figures)
 
 
+TIMELINE_CAPTION = """A part of frame {frame} of stop-and-wait (to the layer, which has seen one before, frame {number}) in
+the time of the {device}, as Figure 1 of the paper draws it. The CPU waits for the result of each query (Q)
+before it knows what comes next; while it then prepares the next query or draws (R), the GPU has nothing to do. The
+whole frame is in <code>runs/{file}</code>, which ui.perfetto.dev opens."""
+# So much of the frame as ten queries take or more, and where it begins, if the frame is long enough.
+TIMELINE_WINDOW_US = 400
+TIMELINE_BEGIN_US = 1000
+
+
+def timeline(settings, image_frame):
+    """The timeline of one frame that asks, as a figure."""
+    asking = next(configuration for configuration in build_device_matrix() if configuration.queries)
+    trace = timeline_file(settings, asking)
+    number = image_frame + WARM_UP_FRAMES
+    try:
+        length_us = timeline_picture.read_frame(trace, number).length
+    except (OSError, ValueError):
+        return ""  # the run failed, which the page says
+    begin_us = max(0, min(TIMELINE_BEGIN_US, length_us - TIMELINE_WINDOW_US))
+    window_us = (begin_us, begin_us + TIMELINE_WINDOW_US)
+    picture = timeline_picture.draw(trace, frame=number, window_us=window_us)
+    caption = TIMELINE_CAPTION.format(
+        frame=image_frame, number=number, device=escape(asking.device), file=escape(trace.name)
+    )
+    return f"<figure>{picture}<figcaption>{caption}</figcaption></figure>"
+
+
 def banner(failures, quick):
     """What a reader must know before any figure: failed runs, or that this was only a look."""
     parts = []
@@ -121,7 +148,7 @@ results change no pixel and no count: only this time."""
 
 
 def write_page(
-    path, *, measured, rows, checks, failures, machine, settings, image_frame, scene_triangles, quick, command
+    path, *, measured, rows, device_rows, checks, failures, machine, settings, image_frame, scene_triangles, quick, command
 ):
     devices = list(dict.fromkeys(configuration.device for configuration in measured))
     example = next((v.timed[0] for c, v in measured.items() if v.timed and c.queries and c.latency_us), None)
@@ -147,6 +174,10 @@ def write_page(
         "latency_plot": plots.against_latency(rows) if rows else "",
         "latency_caption": LATENCY_CAPTION,
         "paper_table": tables.paper_table(rows, devices[-1]),
+        "timed_device": escape(DEVICE_TITLES[TIMED_DEVICE]),
+        "device_time_table": tables.device_time_table(rows, device_rows),
+        "device_share_table": tables.device_share_table(device_rows),
+        "timeline": timeline(settings, image_frame),
         "selectivity_table": tables.selectivity_table(rows, devices[-1], scene_triangles),
         "driver": escape(facts["Driver"]),
         "processor": escape(facts["Processor"]),

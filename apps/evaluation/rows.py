@@ -134,11 +134,11 @@ def row_with(rows, device, culler, latency_us=None, repeat=0):
     return next((row for row in rows if (row.device, row.culler, row.latency_us, row.repeat) == wanted), None)
 
 
-def write_csv(rows, path):
-    """All fields of all rows; an empty cell is a thing that does not apply."""
+def write_csv(rows, path, kind=Row):
+    """All fields of all rows, which are of one kind; an empty cell is a thing that does not apply."""
     with open(path, "w", newline="", encoding="utf-8") as stream:
         writer = csv.writer(stream)
-        names = [field.name for field in fields(Row)]
+        names = [field.name for field in fields(kind)]
         writer.writerow(names)
         for row in rows:
             values = [getattr(row, name) for name in names]

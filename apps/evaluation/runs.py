@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Runs the matrix: one judged pass under the oracle, then timed passes in turn without it.
+"""Runs the matrix: one judged pass under the oracle, then timed passes in turn without it; and some configurations in
+the device's own time, which is the same in every run and so runs twice only to prove it.
 
 A pass is one `glext-emu run ... -- walkthrough ...`. The timed passes go through all configurations round by
 round, every second round backwards, so that a machine that grows slower or faster does not favour a row.
@@ -14,6 +15,9 @@ from .matrix import SCENE
 
 PASS_LIMIT_S = 900
 PICTURES = ("view.png", "above.png", "nodes.png")
+DEVICE_PASSES = 2
+# Frames that the layer sees before the client's first: its warming up.
+WARM_UP_FRAMES = 1
 
 
 @dataclass
@@ -52,12 +56,12 @@ class RunFailed(Exception):
     """A run that gave no usable result; the message says which and why."""
 
 
-def command_of(configuration, settings, stem, extra):
+def command_of(configuration, settings, stem, extra, layer_extra=()):
     """The command line of one pass, as a person would type it."""
     return [
         str(settings.programs / "glext-emu"), "run",
         "--device", configuration.device, "--clock", configuration.clock, "--report", f"{stem}.layer.json",
-        "--",
+        *layer_extra, "--",
         str(settings.programs / "walkthrough"),
         "--scene", SCENE, "--culler", configuration.culler, "--size", settings.size,
         "--frames", str(settings.frames), "--scale", f"{settings.scale:g}", "--json", f"{stem}.jsonl",
@@ -88,10 +92,10 @@ def read_layer(path, frame_count):
     return frames[-frame_count:]
 
 
-def run_pass(configuration, settings, pass_name, extra=()):
+def run_pass(configuration, settings, pass_name, extra=(), layer_extra=()):
     """Runs once. Exit status 1 is the walkthrough's word for a false cull: its record is still read."""
     stem = settings.out / "runs" / f"{configuration.name}.{pass_name}"
-    command = command_of(configuration, settings, stem, extra)
+    command = command_of(configuration, settings, stem, extra, layer_extra)
     begin = time.monotonic()
     try:
         done = subprocess.run(
@@ -136,11 +140,40 @@ def judge(configuration, settings, image_frame=None):
 
 def clear(out):
     """Makes the folders, and takes away what an earlier evaluation left there: nothing old may look new."""
-    for folder, patterns in (("runs", ("*.jsonl", "*.layer.json", "oracle.cache")), ("pictures", PICTURES)):
+    for folder, patterns in (("runs", ("*.jsonl", "*.layer.json", "*.timeline.json", "oracle.cache")), ("pictures", PICTURES)):
         (out / folder).mkdir(parents=True, exist_ok=True)
         for pattern in patterns:
             for old in (out / folder).glob(pattern):
                 old.unlink()
+
+
+def timeline_file(settings, configuration):
+    return settings.out / "runs" / f"{configuration.name}.timeline.json"
+
+
+def measure_device_time(matrix, settings, image_frame, progress):
+    """Runs each configuration DEVICE_PASSES times; the first writes the timeline of `image_frame` too.
+
+    Returns the passes by configuration, and the failures as sentences.
+    """
+    measured, failures = {configuration: [] for configuration in matrix}, []
+    for configuration in matrix:
+        layer_frame = str(image_frame + WARM_UP_FRAMES)
+        for number in range(DEVICE_PASSES):
+            timeline = ("--timeline", str(timeline_file(settings, configuration)), "--frames", layer_frame)
+            progress.start(configuration, number)
+            try:
+                one = run_pass(configuration, settings, str(number + 1), layer_extra=() if number else timeline)
+                if any(frame["device_ms"] is None for frame in one.frames):
+                    raise RunFailed(f"{configuration.name}: the client was told no device time")
+                measured[configuration].append(one)
+            except RunFailed as failure:
+                failures.append(str(failure))
+                progress.fail(failure)
+                break
+            finally:
+                progress.finish(configuration)
+    return measured, failures
 
 
 def measure(matrix, settings, image_frame, progress):

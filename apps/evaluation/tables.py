@@ -99,6 +99,39 @@ def paper_table(rows, device):
     return "\n".join(lines)
 
 
+def device_time_table(rows, device_rows):
+    """Of each culler: the paper, the machine that is emulated for it, and the driver that runs here."""
+    lines = []
+    for published in CITY:
+        ours = next((row for row in device_rows if row.culler == published.culler), None)
+        if ours is None:
+            continue
+        driver = row_with(rows, ours.device, ours.culler) or row_with(rows, ours.device, ours.culler, 0)
+        ratio = CITY[0].frame_ms / published.frame_ms
+        lines.append(
+            "<tr>"
+            + cells(ours.culler, number(published.queries), number(ours.queries or None))
+            + cells(number(published.drawn_triangles), number(ours.drawn_triangles))
+            + cells(number(published.frame_ms, 2), f"<strong>{number(ours.device_ms, 2)}</strong>")
+            + cells(number(driver and driver.frame_ms, 1))
+            + cells(number(published.wait_ms, 2), number(ours.stall_ms if ours.queries else None, 2))
+            + cells(number(ratio, 2), number(ours.speedup_of_means, 2))
+            + cells(number(published.speedup, 1), number(ours.speedup_mean, 1))
+            + "</tr>"
+        )
+    return "\n".join(lines)
+
+
+def device_share_table(device_rows):
+    """Where the frame goes on the CPU, and where on the GPU."""
+    lines = []
+    for row in device_rows:
+        parts = (row.cpu_ms, row.stall_ms, row.back_pressure_ms, row.drain_ms, row.gpu_busy_ms, row.starvation_ms)
+        shares = (f"{number(part, 2)} <small>{part / row.device_ms:.0%}</small>" for part in parts)
+        lines.append(f"<tr>{cells(row.culler, number(row.device_ms, 2), *shares)}</tr>")
+    return "\n".join(lines)
+
+
 def selectivity_table(rows, device, scene_triangles):
     """The shares that decide what culling can save at all."""
     row = row_with(rows, device, BOUND)

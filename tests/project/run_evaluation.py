@@ -61,8 +61,13 @@ class Evaluation(unittest.TestCase):
         told = evaluate(self.folder / "report", "--quick")
         self.assertEqual(told.returncode, 0, told.stdout + told.stderr)
         page = (self.folder / "report/index.html").read_text()
-        self.assertEqual((page.count("<svg"), page.count("data:image/png")), (2, 3))
+        self.assertEqual((page.count("<svg"), page.count("data:image/png")), (3, 3))
         self.assertNotIn("Not everything ran", page)
+        timed = list(csv.DictReader((self.folder / "report/device_time.csv").read_text().splitlines()))
+        self.assertEqual([row["culler"] for row in timed], ["frustum", "stop-and-wait", "ideal"])
+        for row in timed:
+            self.assertEqual(float(row["stall_ms"]) > 0, row["culler"] == "stop-and-wait")
+            self.assertGreaterEqual(float(row["device_ms"]), float(row["gpu_busy_ms"]))
         rows = list(csv.DictReader((self.folder / "report/table.csv").read_text().splitlines()))
         self.assertEqual(len(rows), 10)
         for row in rows:
@@ -73,6 +78,7 @@ class Evaluation(unittest.TestCase):
         told = self.with_walkthrough(CRASHES)
         self.assertEqual(told.returncode, 1)
         self.assertIn("FAILED: visualize-fx.ideal.0us, judged: exit status 3: no such luck", told.stdout)
+        self.assertIn("FAILED: geforce-fx-5950.ideal.device-time, 1: exit status 3: no such luck", told.stdout)
         self.assertIn("Not everything ran", (self.folder / "report/index.html").read_text())
 
     def test_a_false_cull_is_said_and_is_status_1(self):

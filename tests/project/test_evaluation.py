@@ -11,7 +11,8 @@ from tree import ROOT
 sys.path.insert(0, str(ROOT / "apps"))
 
 from evaluation.checks import run_checks  # noqa: E402
-from evaluation.matrix import Configuration, build_matrix  # noqa: E402
+from evaluation.device_time import build_device_rows, run_device_checks  # noqa: E402
+from evaluation.matrix import Configuration, build_device_matrix, build_matrix  # noqa: E402
 from evaluation.rows import (
     break_even_us,
     build_rows,
@@ -54,6 +55,31 @@ def matrix_of(late_times_ms=(6.0, 6.0)):
         Configuration(DEVICE, "stop-and-wait", 500): measured_once(late_times_ms),
         Configuration(DEVICE, "ideal"): measured_once((1.0, 1.0), **quiet),
     }
+
+
+def device_pass(times_ms, **changes):
+    """A pass on the device's clock, of which a quarter is stalled and half keeps the GPU busy."""
+    one = one_pass(times_ms, **changes)
+    for client, layer, time in zip(one.frames, one.layer_frames, times_ms):
+        client["device_ms"] = time
+        layer.update(device_ms=time, device_stall_ms=time / 4, gpu_busy_ms=time / 2, starvation_ms=time / 2)
+        layer.update(back_pressure_ms=0.0, drain_ms=0.5)
+    return one
+
+
+def device_matrix_of():
+    """Frustum 4 and 12 ms on the device, stop-and-wait 4 and 4 ms, ideal 2 and 2 ms; each twice."""
+    frustum, waiting, ideal = build_device_matrix()
+    quiet = {"queries": 0, "results_waited": 0}
+    return {
+        frustum: [device_pass((4.0, 12.0), drawn_triangles=100, **quiet) for _ in range(2)],
+        waiting: [device_pass((4.0, 4.0)) for _ in range(2)],
+        ideal: [device_pass((2.0, 2.0), **quiet) for _ in range(2)],
+    }
+
+
+def broken_on_device(device_measured):
+    return [check.sentence for check in run_device_checks(device_measured, matrix_of()) if not check.holds]
 
 
 def broken(measured):
@@ -110,6 +136,41 @@ class Rows(unittest.TestCase):
         self.assertEqual(
             (lines[0]["latency_us"], lines[1]["latency_us"], lines[2]["latency_us"]), ("", "0", "500")
         )
+
+
+class DeviceTime(unittest.TestCase):
+    def test_a_row_is_the_mean_frame_and_its_parts(self):
+        frustum, waiting, ideal = build_device_rows(device_matrix_of())
+        self.assertEqual((frustum.device_ms, waiting.device_ms, ideal.device_ms), (8.0, 4.0, 2.0))
+        self.assertEqual((waiting.stall_ms, waiting.gpu_busy_ms, waiting.drain_ms), (1.0, 2.0, 0.5))
+        self.assertEqual(waiting.cpu_ms, 4.0 - 1.0 - 0.5)
+        self.assertEqual((waiting.speedup_of_means, waiting.speedup_mean), (16 / 8, (4 / 4 + 12 / 4) / 2))
+
+    def test_a_configuration_that_failed_is_no_row(self):
+        measured = device_matrix_of()
+        measured[build_device_matrix()[0]] = []
+        rows = build_device_rows(measured)
+        self.assertEqual([row.culler for row in rows], ["stop-and-wait", "ideal"])
+        self.assertIsNone(rows[0].speedup_of_means)
+
+    def test_a_sound_measurement_breaks_no_check(self):
+        self.assertEqual(broken_on_device(device_matrix_of()), [])
+
+    def test_each_fault_breaks_the_check_that_is_about_it(self):
+        waiting = build_device_matrix()[1]
+        lying = device_pass((4.0, 4.0))
+        lying.layer_frames[1]["device_ms"] += 2e-6
+        for passes, words in (
+            ([device_pass((4.0, 4.0)), device_pass((4.0, 4.000001))], "On the device's clock every run"),
+            ([lying, device_pass((4.0, 4.0))], "The client measures"),
+            ([device_pass((4.0, 4.0), drawn_triangles=31) for _ in range(2)], "The device's clock changes"),
+        ):
+            with self.subTest(check=words):
+                sentences = broken_on_device({**device_matrix_of(), waiting: passes})
+                self.assertTrue(len(sentences) == 1 and sentences[0].startswith(words), sentences)
+
+    def test_a_check_that_looked_at_nothing_does_not_hold(self):
+        self.assertEqual(len(broken_on_device({row: [] for row in build_device_matrix()})), 3)
 
 
 class Checks(unittest.TestCase):
