@@ -63,16 +63,20 @@ void Timeline::execute(Activity activity, Picoseconds ready, Picoseconds span, S
     tell(about);
 }
 
-Picoseconds Timeline::fill_of(const Fragments& fragments) {
+Picoseconds Timeline::fill_of(std::uint64_t count, std::uint32_t samples, Femtoseconds each) {
     if (!has(Effect::kFill)) return 0;
-    const Femtoseconds each = fragments.is_depth_only ? profile_.depth_fragment : profile_.fragment;
-    const Picoseconds of_pixels = cost_of(fragments.count, each);
-    if (fragments.samples <= 1) return of_pixels;
-    sums_.multisampled_fragments += fragments.count;
+    const Picoseconds of_pixels = cost_of(count, each);
+    if (samples <= 1) return of_pixels;
+    sums_.multisampled_fragments += count;
     if (!has(Effect::kMultisampling)) return of_pixels;
-    const Picoseconds of_samples = cost_of(fragments.count * fragments.samples, each);
+    const Picoseconds of_samples = cost_of(count * samples, each);
     sums_.multisampling += of_samples - of_pixels;
     return of_samples;
+}
+
+Picoseconds Timeline::fill_of(const Fragments& fragments) {
+    return fill_of(fragments.count, fragments.samples,
+                   fragments.is_depth_only ? profile_.depth_fragment : profile_.fragment);
 }
 
 void Timeline::draw(const DrawWork& work) {
@@ -127,8 +131,7 @@ ResultTime Timeline::regions(std::uint64_t count, std::uint64_t pixels) {
 
 void Timeline::clear(std::uint64_t pixels, std::uint32_t samples) {
     make_room();
-    const std::uint64_t times = has(Effect::kMultisampling) ? std::max<std::uint32_t>(samples, 1) : 1;
-    const Picoseconds fill = has(Effect::kFill) ? cost_of(pixels * times, profile_.cleared_pixel) : 0;
+    const Picoseconds fill = fill_of(pixels, samples, profile_.cleared_pixel);
     sums_.fill += fill;
     execute(Activity::kClear, cpu_, fill, {.fragments = pixels});
 }
@@ -148,12 +151,14 @@ void Timeline::wait(const ResultTime& result) {
 }
 
 void Timeline::wait_until(Picoseconds end, std::uint64_t query) {
+    ++sums_.results_asked;
     const Picoseconds before = cpu_;
     stall_until(end, Activity::kStall, sums_.stall, query);
     sums_.result_stall += cpu_ - before;
 }
 
 void Timeline::wait_on_gpu(const ResultTime& result) {
+    ++sums_.results_asked;
     if (result.available <= gpu_) return;
     sums_.starvation += result.available - gpu_;
     tell({Lane::kGpu, Activity::kCondition, gpu_, result.available, result.query});

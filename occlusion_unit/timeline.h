@@ -62,7 +62,7 @@ struct DrawWork {
     std::uint64_t batches = 1;
     std::uint64_t triangles = 0;
     std::uint64_t copied_triangles = 0;  // those of them that the driver copies
-    Fragments fragments;
+    Fragments fragments = {};
 };
 
 enum class Lane : std::uint8_t { kCpu, kGpu };
@@ -108,7 +108,7 @@ struct TimeSums {
     Picoseconds driver_copy = 0;
     Picoseconds read_cost = 0;
     Picoseconds latency = 0;          // of result_stall, what was waited after the query's work was done
-    std::uint64_t results_asked = 0;  // fetched or polled
+    std::uint64_t results_asked = 0;  // fetched, polled, or waited for by the GPU
     std::uint64_t copied_triangles = 0;
     std::uint64_t pixels_read = 0;
     std::uint64_t multisampled_fragments = 0;
@@ -188,6 +188,8 @@ class Timeline {
     void stall_until(Picoseconds end, Activity activity, Picoseconds& sum, std::uint64_t query = 0);
     // GPU work that the CPU has made ready at <ready>.
     void execute(Activity activity, Picoseconds ready, Picoseconds span, Span about);
+    // What <count> times <samples> things at <each> take.
+    Picoseconds fill_of(std::uint64_t count, std::uint32_t samples, Femtoseconds each);
     Picoseconds fill_of(const Fragments& fragments);
     ResultTime end_of(std::uint64_t query);
 
