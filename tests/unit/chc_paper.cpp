@@ -120,10 +120,8 @@ class Traversal {
     ResultTime ask(double box) { return timeline_.query({.count = rounded(box), .is_depth_only = true}); }
     void draw_leaf() {
         const std::uint64_t triangles = part(triangles_, drawn_++, leaves_);
-        occlusion_unit::DrawWork work;
-        work.triangles = triangles;
-        if (!scene_.fits_video_memory) work.copied_triangles = triangles;
-        timeline_.draw(work);
+        timeline_.draw(
+            {.triangles = triangles, .copied_triangles = scene_.fits_video_memory ? 0 : triangles});
     }
     void fetch_what_has_come() {
         while (!queue_.empty()) {

@@ -80,10 +80,8 @@ double log_frame_ms(const Profile& profile, Effects effects, const LogRow& row, 
     for (std::uint64_t draw = 0; draw < draws; ++draw) {
         if (reads_first) read_depths(draw);
         if (is_culled) timeline.work(picoseconds(program.frame_ms / static_cast<double>(draws)));
-        occlusion_unit::DrawWork work;
-        work.triangles = part(vertices, draw, draws);
-        work.fragments.count = part(fragments, draw, draws);
-        timeline.draw(work);
+        timeline.draw(
+            {.triangles = part(vertices, draw, draws), .fragments = {.count = part(fragments, draw, draws)}});
         if (!reads_first) read_depths(draw);
     }
     return milliseconds(timeline.swap(pixels).cpu);
