@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rules of the timeline, to the picosecond, on a machine with round numbers: what ends a frame, and each effect
-// that can be switched off.
+// The rules of the timeline, to the picosecond, on a machine with round numbers: what ends a frame, and each
+// effect that can be switched off.
 #include <gtest/gtest.h>
 
 #include "span_recorder.h"
