@@ -11,6 +11,7 @@ from tree import ROOT
 sys.path.insert(0, str(ROOT / "apps"))
 
 from evaluation.checks import run_checks  # noqa: E402
+from evaluation import device_rates  # noqa: E402
 from evaluation.device_time import build_device_rows, run_device_checks  # noqa: E402
 from evaluation.matrix import Configuration, build_device_matrix, build_matrix  # noqa: E402
 from evaluation.rows import (
@@ -171,6 +172,18 @@ class DeviceTime(unittest.TestCase):
 
     def test_a_check_that_looked_at_nothing_does_not_hold(self):
         self.assertEqual(len(broken_on_device({row: [] for row in build_device_matrix()})), 3)
+
+
+class DeviceRates(unittest.TestCase):
+    def test_a_rate_is_frames_by_their_device_time_and_the_parts_are_shares_of_it(self):
+        parts = {"gpu_busy_ms": 1.0, "starvation_ms": 3.0, "device_stall_ms": 1.0, "back_pressure_ms": 0.4}
+        frames = [{"device_ms": ms, "drain_ms": 0.6, "draws": 3, **parts} for ms in (2.0, 6.0)]
+        cells = device_rates.row_of(device_rates.PROGRAMS[0], "geforce3", frames)
+        self.assertEqual(
+            cells,
+            ("glxgears", "`geforce3`", "250", "4.000", "25%", "75%", "50%", "25%", "10%", "15%"),
+        )
+        self.assertEqual(len(cells), len(device_rates.HEADINGS))
 
 
 class Checks(unittest.TestCase):
