@@ -56,6 +56,12 @@ std::string how_measured(const Circumstances& how) {
 
 }  // namespace
 
+std::string line_of(const Check& check) {
+    return fmt::format("{:8.0f} {:8.0f} {:+6.1f} %  {}{}", check.measured_us, check.predicted_us,
+                       check.error_percent(), check.what,
+                       check.is_disturbed ? " (others had a share of the processor)" : "");
+}
+
 std::string device_file(const Findings& findings, const Circumstances& how) {
     std::string text = fmt::format(
         "{}what each number means and how it is measured: docs/calibrate.md\n"
@@ -77,9 +83,7 @@ std::string device_file(const Findings& findings, const Circumstances& how) {
             text += fmt::format("# {} is left out: {}\n", key, term->lack);
     }
     text += "\n# Mixes that nothing was fitted to, in microseconds: measured, predicted, error.\n";
-    for (const Check& check : findings.checks)
-        text += fmt::format("#   {:8.0f} {:8.0f} {:+6.1f} %  {}\n", check.measured_us, check.predicted_us,
-                            check.error_percent(), check.what);
+    for (const Check& check : findings.checks) text += "#   " + line_of(check) + '\n';
     return text;
 }
 
@@ -112,7 +116,8 @@ nlohmann::ordered_json raw_report(const Findings& findings, const Circumstances&
         report["checks"].push_back({{"what", check.what},
                                     {"measured_us", check.measured_us},
                                     {"predicted_us", check.predicted_us},
-                                    {"error_percent", check.error_percent()}});
+                                    {"error_percent", check.error_percent()},
+                                    {"disturbed", check.is_disturbed}});
     report["sweeps"] = findings.sweeps;
     return report;
 }

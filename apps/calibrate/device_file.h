@@ -24,6 +24,9 @@ struct Circumstances {
     double disturbed_share = 0;
 };
 
+/// Microseconds measured and predicted, and how far apart.
+std::string line_of(const Check& check);
+
 /// The text, in TOML. A term that is not shown is a comment.
 std::string device_file(const Findings& findings, const Circumstances& how);
 

@@ -31,6 +31,7 @@ struct Check {
     std::string what;
     double measured_us = 0;
     double predicted_us = 0;
+    bool is_disturbed = false;  // hardly ever was the processor ours while it ran
 
     double error_percent() const { return 100 * (predicted_us / measured_us - 1); }
 };

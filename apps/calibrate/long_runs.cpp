@@ -91,7 +91,7 @@ void measure_swaps(std::string_view name, int width, int height, Sampler& sample
     findings.keep("frames of a small draw", sweep);
     const SweepFit fit = fit_sweep(sweep, &Times::total);
     findings.add(rate_term("swapped_pixels_per_second", fit, "frames of a small draw, by window size"));
-    const double draw = std::max(findings.costs.batch, findings.costs.gpu_batch);
+    const double draw = findings.costs.batch + findings.costs.gpu_batch;
     if (findings.shown("swapped_pixels_per_second") != nullptr) {
         findings.add(intercept_term("swap_us", fit, draw, "the same line at no pixels, less the draw",
                                     "a swap costs nothing beside its pixels"));

@@ -120,9 +120,7 @@ void print_table(const Findings& findings, double disturbed_share) {
                        term.key, term.value, term.low, term.high, term.r2, term.rms_percent, term.way);
     }
     fmt::print(stderr, "held out, in microseconds: measured, predicted, error\n");
-    for (const Check& check : findings.checks)
-        fmt::print(stderr, "  {:8.0f} {:8.0f} {:+6.1f} %  {}\n", check.measured_us, check.predicted_us,
-                   check.error_percent(), check.what);
+    for (const Check& check : findings.checks) fmt::print(stderr, "  {}\n", line_of(check));
     fmt::print(stderr, "{:.0f} % of the samples were taken while others had a share of the processor\n",
                100 * disturbed_share);
 }

@@ -59,9 +59,8 @@ class Model final : public Commands {
     }
     void draw(int triangles, double fragments) {
         make_room();
-        const double start = cpu_;
         cpu_ += costs_.batch;
-        gpu_ = std::max(gpu_, start) + costs_.gpu_batch +
+        gpu_ = std::max(gpu_, cpu_) + costs_.gpu_batch +
                std::max(triangles * costs_.triangle, fragments * costs_.fragment);
     }
 

@@ -19,9 +19,15 @@ long switches_against_our_will() {
 }  // namespace
 
 double Series::median_of(Which which) const {
+    const bool takes_all = is_disturbed();
     std::vector<double> values;
-    for (const Times& times : rounds) values.push_back(times.*which);
+    for (const Times& times : rounds)
+        if (takes_all || !times.is_disturbed) values.push_back(times.*which);
     return median(std::move(values));
+}
+
+bool Series::is_disturbed() const {
+    return std::ranges::count(rounds, false, &Times::is_disturbed) < 3;
 }
 
 Times Sampler::time(const Burst& burst) {
@@ -42,6 +48,7 @@ Times Sampler::time(const Burst& burst) {
         if (attempt == 0 || times.total < best.total) best = times;
     }
     ++disturbed_;
+    best.is_disturbed = true;
     return best;
 }
 
@@ -62,15 +69,14 @@ std::vector<Series> Sampler::measure(const std::vector<Burst>& bursts) {
     return sweep;
 }
 
-std::vector<Series> difference(const std::vector<Series>& more, const std::vector<Series>& less,
-                               double count) {
-    std::vector<Series> each = more;
-    for (std::size_t i = 0; i < each.size(); ++i)
-        for (std::size_t round = 0; round < each[i].rounds.size(); ++round) {
-            Times& times = each[i].rounds[round];
-            times.submit = (times.submit - less[i].rounds[round].submit) / count;
-            times.total = (times.total - less[i].rounds[round].total) / count;
-        }
+Series difference(const Series& more, const Series& less, double count) {
+    Series each = more;
+    for (std::size_t round = 0; round < each.rounds.size(); ++round) {
+        Times& times = each.rounds[round];
+        times.submit = (times.submit - less.rounds[round].submit) / count;
+        times.total = (times.total - less.rounds[round].total) / count;
+        times.is_disturbed = times.is_disturbed || less.rounds[round].is_disturbed;
+    }
     return each;
 }
 

@@ -23,6 +23,7 @@ struct Burst {
 struct Times {
     double submit = 0;
     double total = 0;
+    bool is_disturbed = false;  // others had a share of the processor
 };
 using Which = double Times::*;
 
@@ -30,7 +31,9 @@ struct Series {
     double x = 0;
     std::vector<Times> rounds;
 
+    /// Of the undisturbed rounds, or of all if these are fewer than three.
     double median_of(Which which) const;
+    bool is_disturbed() const;  // fewer than three rounds are not
 };
 
 class Sampler {
@@ -57,9 +60,8 @@ class Sampler {
     double disturbed_ = 0;
 };
 
-/// What one of `count` things costs that `more` has and `less` has not, round by round; alike sweeps.
-std::vector<Series> difference(const std::vector<Series>& more, const std::vector<Series>& less,
-                               double count);
+/// What one of `count` things costs that `more` has and `less` has not, round by round.
+Series difference(const Series& more, const Series& less, double count);
 
 /// A line through the medians of a sweep, and what the lines through its single rounds spread over.
 struct SweepFit {

@@ -15,9 +15,32 @@ int times_for(double size, double most, int least, int limit) {
     return std::clamp(static_cast<int>(most / size), least, limit);
 }
 
-// A draw as the CPU and the GPU see it, whichever is the slower.
-double small_draw(const Costs& costs) {
-    return std::max(costs.batch, costs.gpu_batch);
+// One command, to be given <few> and <many> times.
+struct Repeated {
+    double x = 0;
+    int few = 1;
+    int many = 2;
+    std::function<void()> run;
+};
+
+// What one more of each costs: a burst's beginning, when the GPU waits for the first command, and its end,
+// when the CPU waits for the last, are none of it.
+std::vector<Series> measure_one_more(Bench& bench, const std::string& name,
+                                     const std::vector<Repeated>& commands) {
+    std::vector<Burst> bursts;
+    for (const Repeated& command : commands)
+        for (const int count : {command.few, command.many})
+            bursts.push_back({command.x, 1,
+                              [&command, count] {
+                                  for (int i = 0; i < count; ++i) command.run();
+                              },
+                              [&bench] { bench.stage.restart(); }});
+    const auto measured = bench.sampler.measure(bursts);
+    std::vector<Series> each;
+    for (std::size_t i = 0; i < commands.size(); ++i)
+        each.push_back(difference(measured[2 * i + 1], measured[2 * i], commands[i].many - commands[i].few));
+    bench.findings.keep(name, each);
+    return each;
 }
 
 }  // namespace
@@ -33,15 +56,14 @@ void measure_draws(Bench& bench) {
     bench.findings.keep("draw commands of two triangles", calls);
     bench.findings.add(slope_term("batch_us", fit_sweep(calls, &Times::submit), "tiny draws, until given"));
 
-    std::vector<Burst> meshes, copies;
+    std::vector<Repeated> meshes;
     for (const int triangles : {16, 64, 256, 1024, 2048, 4096, 8192, 16384}) {
-        const int count = times_for(triangles, 16384, 2, 128);
-        meshes.push_back({double(triangles), double(count), [&stage, triangles, count] {
-                              for (int i = 0; i < count; ++i) stage.mesh(triangles, MeshSize::kSubPixel);
-                          }});
+        const int count = times_for(triangles, 16384, 1, 128);
+        const int few = std::max(1, count / 8);
+        meshes.push_back({double(triangles), few, few + count,
+                          [&stage, triangles] { stage.mesh(triangles, MeshSize::kSubPixel); }});
     }
-    const auto drawn = bench.sampler.measure(meshes);
-    bench.findings.keep("batches of sub-pixel triangles", drawn);
+    const auto drawn = measure_one_more(bench, "batches of sub-pixel triangles", meshes);
     // Where the GPU, or whatever works off the triangles, is the slower of the two.
     const SweepFit work = fit_sweep(drawn, &Times::total, 2 * bench.findings.costs.batch);
     bench.findings.add(rate_term("triangles_per_second", work, "sub-pixel triangles in buffers, until done"));
@@ -76,16 +98,14 @@ void measure_draws(Bench& bench) {
 void measure_fill(Bench& bench) {
     Stage& stage = bench.stage;
     const double pixels = double(stage.width()) * stage.height();
-    std::vector<Burst> quads;
+    std::vector<Repeated> quads;
     for (const int eighths : {1, 2, 3, 4, 5, 6, 7, 8}) {
         const double area = pixels * eighths * eighths / 64;
-        const int count = times_for(area, 1e6, 2, 64);
-        quads.push_back({area, double(count), [&stage, eighths, count] {
-                             for (int i = 0; i < count; ++i) stage.quad(eighths);
-                         }});
+        const int few = times_for(area, 1e5, 1, 8);
+        quads.push_back(
+            {area, few, few + times_for(area, 1e6, 1, 64), [&stage, eighths] { stage.quad(eighths); }});
     }
-    const auto filled = bench.sampler.measure(quads);
-    bench.findings.keep("quads with colour and depth", filled);
+    const auto filled = measure_one_more(bench, "quads with colour and depth", quads);
     const SweepFit fit = fit_sweep(filled, &Times::total, 2 * bench.findings.costs.batch);
     bench.findings.add(rate_term("fragments_per_second", fit, "quads with colour and depth, until done"));
 }
@@ -106,18 +126,12 @@ void measure_queries(Bench& bench) {
     findings.add(slope_term("query_us", fit_sweep(calls, &Times::submit), "queries of a box, until given"));
 
     const int largest = std::min(stage.width(), stage.height());
-    constexpr int kFew = 4, kMany = 16;
-    std::vector<Burst> few, many, waited;
-    for (const int side : {4, 8, 16, 32, 64, 128, 192, 256, 384}) {
+    std::vector<Repeated> boxes;
+    std::vector<Burst> waited;
+    for (const int side : {4, 8, 16, 32, 64, 128, 192, 256, 320}) {
         if (side > largest) continue;
         const double fragments = box_fragments(side);
-        for (const int count : {kFew, kMany})
-            (count == kFew ? few : many)
-                .push_back({fragments, 1,
-                            [&stage, side, count] {
-                                for (int i = 0; i < count; ++i) stage.query(side);
-                            },
-                            restart});
+        boxes.push_back({fragments, 2, 10, [&stage, side] { stage.query(side); }});
         if (side > 256) continue;
         constexpr int kTrips = 8;
         waited.push_back({fragments, kTrips,
@@ -129,14 +143,7 @@ void measure_queries(Bench& bench) {
                           },
                           restart});
     }
-    std::vector<Burst> both = few;
-    both.insert(both.end(), many.begin(), many.end());
-    const auto measured = bench.sampler.measure(both);
-    const auto middle = measured.begin() + static_cast<std::ptrdiff_t>(few.size());
-    // What many cost more than few: without the beginning, when the GPU waits for the first, and without the
-    // end, when the CPU waits for the last result.
-    const auto together = difference({middle, measured.end()}, {measured.begin(), middle}, kMany - kFew);
-    findings.keep("queries of boxes, what 16 cost more than 4, each", together);
+    const auto together = measure_one_more(bench, "queries of boxes, all at once", boxes);
     const SweepFit work = fit_sweep(together, &Times::total, 1.5 * findings.costs.query);
     findings.add(rate_term("depth_fragments_per_second", work, "queries of boxes at once, until done"));
     findings.add(intercept_term("gpu_query_us", work, 0, "the same line at no fragments",
@@ -210,9 +217,9 @@ void measure_reads(Bench& bench) {
     bench.findings.keep("depths read after a small draw", times);
     const SweepFit fit = fit_sweep(times, &Times::submit);
     bench.findings.add(rate_term("read_pixels_per_second", fit, "depths read after a small draw"));
-    bench.findings.add(intercept_term("read_us", fit, small_draw(bench.findings.costs),
-                                      "the same line at no pixels, less the draw",
-                                      "a read costs nothing beside its pixels"));
+    bench.findings.add(intercept_term(
+        "read_us", fit, bench.findings.costs.batch + bench.findings.costs.gpu_batch,
+        "the same line at no pixels, less the draw", "a read costs nothing beside its pixels"));
 }
 
 }  // namespace apps

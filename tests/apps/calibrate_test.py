@@ -110,7 +110,7 @@ class Emulated(unittest.TestCase):
             numbers = "".join(f"{key} = {value}\n" for key, value in EMULATED.items())
             device.write_text('name = "told"\ndescription = "a test"\nsource = "a test"\n[time]\n'
                               'source = "a test"\nquality = "assumed"\n' + numbers)
-            told = run(LAUNCHER, "run", "--device", device, "--clock", "device", "--", CALIBRATE, "--quick", "--time", "gl",
+            told = run(LAUNCHER, "run", "--device", device, "--clock", "device", "--all-fragments", "--", CALIBRATE, "--quick", "--time", "gl",
                        "--output", found)
             self.assertEqual(told.returncode, 0, told.stderr)
             time = tomllib.loads(found.read_text())["time"]
