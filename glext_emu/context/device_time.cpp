@@ -17,7 +17,6 @@
 namespace glext_emu {
 namespace {
 
-using occlusion_unit::DrawWork;
 using occlusion_unit::Effect;
 using occlusion_unit::Fragments;
 using occlusion_unit::Picoseconds;
@@ -47,20 +46,6 @@ bool writes_color(const Context& ctx) {
     GLboolean mask[4] = {GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE};
     ctx.real->glGetBooleanv(GL_COLOR_WRITEMASK, mask);
     return std::ranges::find(mask, GL_TRUE) != std::end(mask);
-}
-
-std::uint32_t samples_of(const Context& ctx) {
-    GLint samples = 0;
-    ctx.real->glGetIntegerv(GL_SAMPLES, &samples);
-    return samples > 1 ? static_cast<std::uint32_t>(samples) : 1;
-}
-
-// Draws of one window share its fragments by their triangles, so a few large ones are kept apart from many
-// small ones.
-bool is_alike(std::uint64_t triangles, const DrawnBatch& other) {
-    constexpr int kFactorBits = 4;
-    const auto size_of = [](std::uint64_t count) { return static_cast<int>(std::bit_width(count)); };
-    return std::abs(size_of(triangles) - size_of(other.triangles)) < kFactorBits;
 }
 
 bool draws_in_query(const Context& ctx) {
@@ -107,6 +92,19 @@ void DeviceTime::initialise(bool has_statistics) {
     counts_fragments_ = has_statistics && has_cost && has(Effect::kFill) && !settings().is_dry;
 }
 
+// Asked once of each framebuffer and frame: the driver validates its state before it answers.
+std::uint32_t DeviceTime::samples() {
+    GLint framebuffer = 0;
+    ctx_.real->glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+    if (framebuffer != sampled_framebuffer_) {
+        GLint samples = 0;
+        ctx_.real->glGetIntegerv(GL_SAMPLES, &samples);
+        samples_ = samples > 1 ? static_cast<std::uint32_t>(samples) : 1;
+        sampled_framebuffer_ = framebuffer;
+    }
+    return samples_;
+}
+
 // Queries are compiled into lists, and are errors between Begin and End.
 bool DeviceTime::can_count() const {
     return !ctx_.recording.is_open() && !ctx_.inside_begin_end;
@@ -123,7 +121,7 @@ void DeviceTime::open_window(bool is_of_query, bool is_depth_only) {
     window_ = {};
     window_.is_of_query = is_of_query;
     window_.is_depth_only = is_depth_only;
-    window_.samples = samples_of(ctx_);
+    window_.samples = samples();
     is_window_open_ = true;
 }
 
@@ -131,13 +129,11 @@ void DeviceTime::count() {
     const bool counts_triangles = !window_.batches.empty() && !window_.batches.back().is_known;
     const bool counts_fragments = counts_fragments_ && sampler_.picks();
     if (!has_statistics_ || !can_count() || !(counts_fragments || counts_triangles)) return;
-    const OwnCalls own(ctx_);
     counters_.begin(ctx_, counts_fragments, counts_triangles);
 }
 
 void DeviceTime::stop_counting() {
     if (!counters_.is_open()) return;
-    const OwnCalls own(ctx_);
     window_.counted = counters_.end(ctx_);
 }
 
@@ -159,6 +155,11 @@ void DeviceTime::keep(Command command) {
     kept_.push_back(std::move(command));
 }
 
+void DeviceTime::keep_unfinished_query() {
+    if (query_windows_.empty()) return;
+    keep({.kind = Kind::kUnfinishedQuery, .windows = std::exchange(query_windows_, {})});
+}
+
 void DeviceTime::begin_query() {
     pause();
     // Those of a query that was lost before its end.
@@ -170,19 +171,34 @@ void DeviceTime::begin_query() {
     query_windows_.clear();
 }
 
+// Draws of one window share its fragments by their triangles, so a few of two triangles are kept apart from
+// many of hundreds; not as often as a mesh of mixed sizes would have it. Triangles that no call tells are
+// shared evenly, so those that are copied are kept apart from those that are not.
+bool DeviceTime::shares(const DrawnBatch& batch) {
+    const DrawnBatch& other = window_.batches.front();
+    if (batch.is_known != other.is_known) return false;
+    if (!batch.is_known) return batch.is_copied == other.is_copied;
+    constexpr int kFactorBits = 6;
+    const auto size_of = [](std::uint64_t count) { return static_cast<int>(std::bit_width(count)); };
+    if (std::abs(size_of(batch.triangles) - size_of(other.triangles)) < kFactorBits) return true;
+    if (splits_left_ == 0) return true;
+    --splits_left_;
+    return false;
+}
+
 void DeviceTime::draw(std::uint64_t triangles, bool is_known, VertexSource source) {
     // What is discarded is not drawn, and only the driver knows.
     if (ctx_.conditional.is_in_driver) is_known = false;
     const bool is_depth_only = !writes_color(ctx_);
-    const bool goes_on =
-        is_window_open_ && !window_.is_apart && is_alike(triangles, window_.batches.front()) &&
-        is_known == window_.batches.back().is_known && is_depth_only == window_.is_depth_only &&
-        draws_in_query(ctx_) == window_.is_of_query && window_.batches.size() < kMostBatches;
+    const DrawnBatch batch{triangles, is_known, needs_copy(source)};
+    const bool goes_on = is_window_open_ && !window_.is_apart && window_.batches.size() < kMostBatches &&
+                         is_depth_only == window_.is_depth_only &&
+                         draws_in_query(ctx_) == window_.is_of_query && shares(batch);
     if (!goes_on) {
         pause();
         open_window(draws_in_query(ctx_), is_depth_only);
     }
-    window_.batches.push_back({triangles, is_known, needs_copy(source)});
+    window_.batches.push_back(batch);
     if (!goes_on) count();
 }
 
@@ -235,11 +251,14 @@ void DeviceTime::finish() {
 void DeviceTime::swap(std::uint64_t pixels) {
     settle();
     last_frame_ = timeline_.swap(pixels);
+    sampled_framebuffer_ = kNoFramebuffer;
+    splits_left_ = kMostSplits;
     sampler_.next_frame();
 }
 
 DeviceTime::Tick DeviceTime::stamp() {
     pause();
+    keep_unfinished_query();
     keep({.kind = Kind::kStamp, .amount = last_ticket_ + 1});
     return ++last_ticket_;
 }
@@ -307,10 +326,11 @@ bool DeviceTime::wait_for(Tick ticket, std::uint64_t most_ns) {
 }
 
 void DeviceTime::settle() {
-    if (kept_.empty() && !is_window_open_) return;
+    if (kept_.empty() && !is_window_open_ && query_windows_.empty()) return;
     if (ctx_.is_between_begin_and_end()) return;
     const ListPause pause_of_list(ctx_);
     pause();
+    keep_unfinished_query();
     std::vector<Command> commands = std::exchange(kept_, {});
     for (Command& command : commands) execute(command);
     // The room is used again.
@@ -322,9 +342,11 @@ void DeviceTime::settle() {
 void DeviceTime::execute(Command& command) {
     switch (command.kind) {
         case Kind::kDraws:
-            return execute_draws(command.windows.front());
+            return execute_draws(command.windows.front(), take_counts(command.windows.front()));
         case Kind::kQuery:
             return execute_query(command.windows, command.count);
+        case Kind::kUnfinishedQuery:
+            return execute_unfinished_query(command.windows);
         case Kind::kRegions:
             results_.push_back(timeline_.regions(command.count, command.amount));
             return;
@@ -377,8 +399,7 @@ DeviceTime::Counted DeviceTime::take_counts(WorkWindow& window) {
 }
 
 // Fragments are shared out by triangles: the driver counts them together.
-void DeviceTime::execute_draws(WorkWindow& window) {
-    const Counted counted = take_counts(window);
+void DeviceTime::execute_draws(const WorkWindow& window, const Counted& counted) {
     // Lists and pairs of Begin and End that turned out to hold nothing.
     const bool was_counted = window.counted != CountedWork{};
     if (was_counted && counted.triangles == 0 && !window.batches.front().is_known) return;
@@ -398,25 +419,36 @@ void DeviceTime::execute_draws(WorkWindow& window) {
     }
 }
 
-void DeviceTime::execute_query(std::vector<WorkWindow>& windows, std::uint64_t shapes) {
-    DrawWork work;
-    work.batches = 0;
-    work.fragments.is_depth_only = true;
+// What is more than the bounding volumes of <shapes> is drawn for its own sake. Of what is not, the fragments
+// are left: the rest is part of a query's own costs.
+Fragments DeviceTime::execute_windows(std::vector<WorkWindow>& windows, std::uint64_t shapes) {
+    std::vector<Counted> counts;
+    std::uint64_t triangles = 0;
     for (WorkWindow& window : windows) {
-        const Counted counted = take_counts(window);
-        work.batches += window.batches.size();
-        work.triangles += counted.triangles;
-        work.copied_triangles += counted.copied_triangles;
-        work.fragments.count += counted.fragments;
-        work.fragments.samples = std::max(work.fragments.samples, window.samples);
-        work.fragments.is_depth_only = work.fragments.is_depth_only && window.is_depth_only;
+        counts.push_back(take_counts(window));
+        triangles += counts.back().triangles;
     }
-    // More than a bounding volume is drawn for its own sake.
-    if (work.triangles > kVolumeTriangles * shapes) {
-        timeline_.draw(work);
-        work.fragments = {};
+    Fragments of_volumes{.is_depth_only = true};
+    for (std::size_t i = 0; i < windows.size(); ++i) {
+        if (triangles > kVolumeTriangles * shapes) {
+            execute_draws(windows[i], counts[i]);
+            continue;
+        }
+        of_volumes.count += counts[i].fragments;
+        of_volumes.samples = std::max(of_volumes.samples, windows[i].samples);
+        of_volumes.is_depth_only = of_volumes.is_depth_only && windows[i].is_depth_only;
     }
-    results_.push_back(timeline_.query(work.fragments, shapes));
+    return of_volumes;
+}
+
+void DeviceTime::execute_unfinished_query(std::vector<WorkWindow>& windows) {
+    const Fragments of_volume = execute_windows(windows, 1);
+    if (of_volume.count != 0) timeline_.draw({.batches = 0, .fragments = of_volume});
+}
+
+void DeviceTime::execute_query(std::vector<WorkWindow>& windows, std::uint64_t shapes) {
+    const Fragments of_volumes = execute_windows(windows, shapes);
+    results_.push_back(timeline_.query(of_volumes, shapes));
 }
 
 ResultTime DeviceTime::time_of(Tick ticket) const {

@@ -114,6 +114,7 @@ class DeviceTime final : public occlusion_unit::ResultTimes {
     enum class Kind : std::uint8_t {
         kDraws,
         kQuery,
+        kUnfinishedQuery,
         kRegions,
         kClear,
         kCopy,
@@ -129,11 +130,15 @@ class DeviceTime final : public occlusion_unit::ResultTimes {
     };
 
     bool can_count() const;
+    std::uint32_t samples();
+    bool shares(const DrawnBatch& batch);
     bool needs_copy(VertexSource source);
     void open_window(bool is_of_query, bool is_depth_only);
     void keep(Command command);
+    // Before a time that is asked for in the midst of a query: what it has drawn so far.
+    void keep_unfinished_query();
     void execute(Command& command);
-    void execute_draws(WorkWindow& window);
+    void execute_unfinished_query(std::vector<WorkWindow>& windows);
     void execute_query(std::vector<WorkWindow>& windows, std::uint64_t shapes);
     // What the driver has counted; triangles that no call told are shared out evenly.
     struct Counted {
@@ -142,6 +147,8 @@ class DeviceTime final : public occlusion_unit::ResultTimes {
         std::uint64_t copied_triangles = 0;
     };
     Counted take_counts(WorkWindow& window);
+    void execute_draws(const WorkWindow& window, const Counted& counted);
+    occlusion_unit::Fragments execute_windows(std::vector<WorkWindow>& windows, std::uint64_t shapes);
     occlusion_unit::ResultTime time_of(Tick ticket) const;
     void drop_seen();
 
@@ -155,6 +162,12 @@ class DeviceTime final : public occlusion_unit::ResultTimes {
     FragmentSampler sampler_;
     FragmentAverage fragments_of_query_;     // a window of it
     FragmentAverage fragments_of_triangle_;  // outside queries
+
+    static constexpr GLint kNoFramebuffer = -1;
+    GLint sampled_framebuffer_ = kNoFramebuffer;  // the one that has samples_
+    std::uint32_t samples_ = 1;
+    static constexpr unsigned kMostSplits = 16;
+    unsigned splits_left_ = kMostSplits;  // of the frame's windows, by the size of their draws
 
     bool is_window_open_ = false;
     WorkWindow window_;
