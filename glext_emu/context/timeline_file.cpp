@@ -126,7 +126,7 @@ void TimelineFile::cpu_span(const Span& span) {
     }
     add_slice(kCpu, span);
     if (span.activity == Activity::kQuery || span.activity == Activity::kRegion) {
-        flows_[span.query % kMostFlows] = {.query = span.query};
+        flows_[span.query % kMostFlows] = {.query = span.query, .begin = span.begin};
         return add_flow('s', kCpu, nanoseconds(span.begin), span.query);
     }
     OpenFlow* const flow = find_flow(span.query);
@@ -146,7 +146,14 @@ void TimelineFile::gpu_span(const Span& span) {
     if (is_work) add_wait_in_fifo(span);
     add_fifo_level(is_work ? span.queued : span.begin, is_work ? span.end - span.queued : 0);
     add_slice(kGpu, span);
-    if (find_flow(span.query) != nullptr) add_flow('t', kGpu, nanoseconds(span.begin), span.query);
+    add_step(span);
+}
+
+// Where starvation is switched off, work may be done before its command, and no arrow goes back in time.
+void TimelineFile::add_step(const Span& span) {
+    const OpenFlow* const flow = find_flow(span.query);
+    if (flow != nullptr && span.begin >= flow->begin)
+        add_flow('t', kGpu, nanoseconds(span.begin), span.query);
 }
 
 void TimelineFile::result(std::uint64_t query, Picoseconds, Picoseconds available) {

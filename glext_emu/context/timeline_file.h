@@ -52,6 +52,7 @@ class TimelineFile final : public occlusion_unit::TimelineListener {
     static constexpr std::size_t kLanes = 4;
     struct OpenFlow {
         std::uint64_t query = 0;
+        occlusion_unit::Picoseconds begin = 0;
         occlusion_unit::Picoseconds available = INT64_MAX;
     };
 
@@ -60,6 +61,8 @@ class TimelineFile final : public occlusion_unit::TimelineListener {
     void cpu_span(const occlusion_unit::Span& span);
     void gpu_span(const occlusion_unit::Span& span);
     void add_names();
+    // The flow of what the GPU does for its query.
+    void add_step(const occlusion_unit::Span& span);
     void add_slice(Lane lane, const occlusion_unit::Span& span);
     // <is_within> a slice, or at the beginning of the next.
     void add_flow(char phase, Lane lane, std::int64_t at_ns, std::uint64_t query, bool is_within = true);

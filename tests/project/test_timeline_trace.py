@@ -153,7 +153,12 @@ class Timelines(unittest.TestCase):
             self.assertIn(name, str(caught.exception))
         with self.assertRaises(Fault) as caught:
             check_timeline(self.good, {"records": []})
-        self.assertIn("the report holds 0", str(caught.exception))
+        self.assertIn("none of the timeline's frames", str(caught.exception))
+        later = copy.deepcopy(self.report)
+        later["records"][1]["frame"] = 1
+        with self.assertRaises(Fault) as caught:
+            check_timeline(self.good, later)
+        self.assertIn("no frame 0, but later ones", str(caught.exception))
 
     def test_a_file_without_frames_is_a_timeline(self):
         self.assertEqual(check_timeline(json.loads('{"traceEvents":[\n],"displayTimeUnit":"ms"}')), 0)

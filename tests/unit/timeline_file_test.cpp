@@ -136,6 +136,26 @@ TEST_F(TimelineFiles, a_query_is_a_flow_from_its_command_to_its_work_to_its_resu
     EXPECT_LT(ends_of_stalls, 7U);
 }
 
+TEST_F(TimelineFiles, no_flow_goes_back_in_time_where_the_gpu_works_ahead) {
+    SharedJsonFile file(path(), kTimelineKind);
+    {
+        TimelineFile lanes(file, 1, {}, "machine");
+        occlusion_unit::Effects effects = occlusion_unit::all_effects();
+        effects.reset(static_cast<std::size_t>(occlusion_unit::Effect::kStarvation));
+        Timeline timeline(figure_one_machine(), effects, &lanes);
+        stop_and_wait(timeline);
+    }
+    std::map<std::string, std::int64_t> begun;
+    int works_ahead = 7;
+    for (const json& event : events()) {
+        if (event["ph"] == "s") begun[event["id"]] = nanoseconds(event["ts"]);
+        if (event["ph"] != "t" && event["ph"] != "f") continue;
+        EXPECT_GE(nanoseconds(event["ts"]), begun.at(event["id"]));
+        if (event["ph"] == "t") --works_ahead;
+    }
+    EXPECT_GT(works_ahead, 0);
+}
+
 TEST_F(TimelineFiles, a_flow_ends_at_the_poll_that_sees_the_result) {
     feed(path(), {}, [](Timeline& timeline) {
         const auto result = timeline.query({.count = 4000});
