@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Promise: an effect is simulated only where a scene calls for it. Each effect is switched off where the report says that
 it was not called for, which changes nothing, and in scenes made for it, which changes what it should, by as much as it
-should. With the argument Everywhere every scene is drawn without each effect that it does not call for.
+should.
 """
 import json
 import os
@@ -16,7 +16,6 @@ from under_device import EFFECTS, run
 WORTH = 0.01  # of the frames' time: less is no difference
 ROUNDING_MS = 1e-6  # the machine adds whole picoseconds
 DEPTH_ROUNDING = 2**-24  # a result is a float of 32 bits
-ALL_SCENES = {scene.words: scene for scenes in (UNCALLED, CALLED) for made in scenes.values() for scene in made}
 
 
 def differ(with_it, without_it):
@@ -151,25 +150,6 @@ class AnUnknownEffect(unittest.TestCase):
                 records = json.load(file)["records"]
         off = {record["effect"] for record in records if record["kind"] == "effect" and not record["on"]}
         self.assertEqual(off, {"fill", "read-cost"})
-
-
-class Everywhere(unittest.TestCase):
-    def test_what_is_not_called_for_can_be_switched_off(self):
-        judged = 0
-        for words in ALL_SCENES:
-            with_all = run(words)
-            for effect in EFFECTS:
-                if with_all.effects[effect]["called_for"] is not False:
-                    continue
-                with self.subTest(words=words, effect=effect):
-                    self.assertIsNone(disagreement(effect, with_all, run(words, without=(effect,))))
-                judged += 1
-        self.assertGreater(judged, 3 * len(ALL_SCENES))
-
-
-def load_tests(loader, _, __):
-    names = (AnEffect, AllEffects, AnUnknownEffect)
-    return unittest.TestSuite(loader.loadTestsFromTestCase(case) for case in names)
 
 
 if __name__ == "__main__":

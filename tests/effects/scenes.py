@@ -84,7 +84,7 @@ CALLED = {
                             f"{FRAMES * (LARGE + 5 * fragments(512))} fragments had several samples",
                             3 * (CLEAR_US + 5 * DRAW_US)),
                       scene("window=512,512 samples=4 clear", f"{FRAMES * LARGE} fragments had several samples",
-                            3 * CLEAR_US, 3 * CLEAR_US - P["swap_us"])],
+                            3 * CLEAR_US, 4 * CLEAR_US - P["swap_us"])],
     "read-cost": [scene("clear fill=64,64,5 read=64,64,2 region=32,32,2", "20480 pixels were read, which took",
                         2 * SMALL * READ_PIXEL + 2 * 32 * 32 * REGION_PIXEL)],
     "starvation": [scene("window=512,512 work=3000 clear fill=512,512,20", "the GPU had nothing to do for", 3000)],
