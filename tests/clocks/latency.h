@@ -22,7 +22,7 @@ inline Moment now() {
 }
 
 struct Latency {
-    enum Kind { kNone, kWall, kCalls, kFrames };
+    enum Kind { kNone, kWall, kCalls, kFrames, kDevice };
     Kind kind = kNone;
     std::uint64_t amount = 0;  // microseconds, calls or frames
 
@@ -37,12 +37,14 @@ struct Latency {
                 return amount >= 20;
             case kFrames:
                 return amount >= 1;
+            case kDevice:
+                return true;
         }
         return false;
     }
 };
 
-// Of $CLOCK: "none", "wall=US", "calls=N" or "frames=N". Anything else ends the program.
+// Of $CLOCK: "none", "wall=US", "calls=N", "frames=N" or "device". Anything else ends the program.
 const Latency& latency();
 
 // As EXPECT: <after> may not come before <before> plus the latency of wall time.
