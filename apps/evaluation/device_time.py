@@ -20,12 +20,13 @@ class DeviceRow:
     """One culler. Means per frame, milliseconds of device time unless the name says otherwise.
 
     device_ms = what the CPU computes + stall_ms + back_pressure_ms + drain_ms; the GPU's share of the same time is
-    gpu_busy_ms + starvation_ms.
+    gpu_busy_ms + starvation_ms. `draws` are draw commands beside those of the queries' boxes.
     """
 
     device: str
     culler: str
     queries: float
+    draws: float
     drawn_triangles: float
     device_ms: float
     gpu_busy_ms: float
@@ -49,6 +50,7 @@ def row_of(configuration, one, baseline):
         device=configuration.device,
         culler=configuration.culler,
         queries=mean_of(one.frames, "queries"),
+        draws=mean_of(layer, "draws") - mean_of(layer, "queries_begun"),
         drawn_triangles=mean_of(one.frames, "drawn_triangles"),
         device_ms=float(times.mean()),
         gpu_busy_ms=mean_of(layer, "gpu_busy_ms"),

@@ -128,7 +128,9 @@ def device_share_table(device_rows):
     for row in device_rows:
         parts = (row.cpu_ms, row.stall_ms, row.back_pressure_ms, row.drain_ms, row.gpu_busy_ms, row.starvation_ms)
         shares = (f"{number(part, 2)} <small>{part / row.device_ms:.0%}</small>" for part in parts)
-        lines.append(f"<tr>{cells(row.culler, number(row.device_ms, 2), *shares)}</tr>")
+        lines.append(
+            f"<tr>{cells(row.culler, number(row.draws), number(row.device_ms, 2), *shares)}</tr>"
+        )
     return "\n".join(lines)
 
 

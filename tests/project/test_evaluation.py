@@ -64,7 +64,7 @@ def device_pass(times_ms, **changes):
     for client, layer, time in zip(one.frames, one.layer_frames, times_ms):
         client["device_ms"] = time
         layer.update(device_ms=time, device_stall_ms=time / 4, gpu_busy_ms=time / 2, starvation_ms=time / 2)
-        layer.update(back_pressure_ms=0.0, drain_ms=0.5)
+        layer.update(back_pressure_ms=0.0, drain_ms=0.5, draws=client["queries"] + 3)
     return one
 
 
@@ -144,6 +144,7 @@ class DeviceTime(unittest.TestCase):
         frustum, waiting, ideal = build_device_rows(device_matrix_of())
         self.assertEqual((frustum.device_ms, waiting.device_ms, ideal.device_ms), (8.0, 4.0, 2.0))
         self.assertEqual((waiting.stall_ms, waiting.gpu_busy_ms, waiting.drain_ms), (1.0, 2.0, 0.5))
+        self.assertEqual((waiting.draws, waiting.queries), (3, 10))
         self.assertEqual(waiting.cpu_ms, 4.0 - 1.0 - 0.5)
         self.assertEqual((waiting.speedup_of_means, waiting.speedup_mean), (16 / 8, (4 / 4 + 12 / 4) / 2))
 
