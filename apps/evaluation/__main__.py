@@ -119,7 +119,8 @@ def main(arguments):
     write_csv(device_rows, settings.out / "device_time.csv", DeviceRow)
     summary = next((value.judged.summary for value in measured.values() if value.judged), {})
     write_page(
-        settings.out / "index.html", measured=measured, rows=rows, device_rows=device_rows, checks=checks, failures=failures,
+        settings.out / "index.html", measured=measured, rows=rows, device_rows=device_rows,
+        checks=checks, failures=failures,
         machine=describe(ROOT, options.threads, summary, SIZE, load_before), settings=settings,
         image_frame=image_frame, scene_triangles=summary.get("scene_triangles", 0),
         quick=options.quick, command=command_line(options),

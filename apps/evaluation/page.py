@@ -148,7 +148,8 @@ results change no pixel and no count: only this time."""
 
 
 def write_page(
-    path, *, measured, rows, device_rows, checks, failures, machine, settings, image_frame, scene_triangles, quick, command
+    path, *, measured, rows, device_rows, checks, failures, machine, settings, image_frame, scene_triangles,
+    quick, command,
 ):
     devices = list(dict.fromkeys(configuration.device for configuration in measured))
     example = next((v.timed[0] for c, v in measured.items() if v.timed and c.queries and c.latency_us), None)

@@ -140,7 +140,8 @@ def judge(configuration, settings, image_frame=None):
 
 def clear(out):
     """Makes the folders, and takes away what an earlier evaluation left there: nothing old may look new."""
-    for folder, patterns in (("runs", ("*.jsonl", "*.layer.json", "*.timeline.json", "oracle.cache")), ("pictures", PICTURES)):
+    runs = ("*.jsonl", "*.layer.json", "*.timeline.json", "oracle.cache")
+    for folder, patterns in (("runs", runs), ("pictures", PICTURES)):
         (out / folder).mkdir(parents=True, exist_ok=True)
         for pattern in patterns:
             for old in (out / folder).glob(pattern):
