@@ -184,7 +184,11 @@ def draw_lane(axes, slices, y, window, first_query):
     for each in slices:
         left, right = max(each.begin, begin), min(each.end, end)
         label = label_of(each, first_query)
-        if right <= left or len(label) * FONT_PT * 0.62 + 2 > (right - left) * points_per_us:
+        if (
+            right <= left
+            or len(label) * FONT_PT * 0.62 + (5 if LOOKS[each.name].hatch else 2)
+            > (right - left) * points_per_us
+        ):
             continue
         look = LOOKS[each.name]
         box = {"facecolor": "#ffffff", "edgecolor": "none", "pad": 0.8} if look.hatch else None
