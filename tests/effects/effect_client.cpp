@@ -6,12 +6,14 @@
 //   picture=FILE (the last frame, asked of Mesa behind the layer's back)
 //   clear  depth=D  work=US  mesh=T,N  arrays=T,N  immediate=T,N  list=T,N  empty=N
 //   fill=W,H,N  paint=W,H,N  stamp=W,H,N  ask=W,H,N  region=W,H,N  unit=W,H,N  read=W,H,N
+//   condition=W,H,N
 //
 // The first four are N draws of T triangles without a pixel: from a buffer, from the program's memory,
 // between Begin and End, in a display list; empty calls a list that holds nothing. The next three are N draws
 // of a triangle that covers W x H pixels: from a buffer, between Begin and End, in a list. ask is N samples
-// queries, each waited for, of W x H pixels without colour; region and unit ask for depths by the proposed
-// extensions. Prints {"results": [...]}, in the order of asking.
+// queries, each waited for, of W x H pixels without colour, and condition N of them for each of which the GPU
+// has to wait; region and unit ask for depths by the proposed extensions. Prints {"results": [...]}, in the
+// order of asking.
 #include "gl_window.h"
 
 #include <GL/glext_emu.h>
@@ -146,13 +148,14 @@ class Client {
         if (name == "list") return draw_list(first);
         if (name == "empty") return glCallList(empty_list_);
         if (name == "ask") return ask(first, second);
+        if (name == "condition") return draw_on_condition(first, second);
         if (name == "region") return ask_region(first, second);
         if (name == "unit") return ask_unit(first, second);
         if (name == "read") return read(first, second);
         fail("`" + name + "` is no word of a frame");
     }
 
-    void draw_from(GLuint buffer, int triangles) {
+    void draw_from(GLuint buffer, int triangles) const {
         if (triangles * 3 + 3 > static_cast<int>(kMostVertices)) fail("too many triangles in a draw");
         glBindBuffer(GL_ARRAY_BUFFER, buffer);
         glVertexPointer(2, GL_FLOAT, 0, buffer == 0 ? vertices_.data() : nullptr);
@@ -175,7 +178,7 @@ class Client {
         glCallList(list_);
     }
 
-    void draw_covering() {
+    void draw_covering() const {
         glBindBuffer(GL_ARRAY_BUFFER, buffer_);
         glVertexPointer(2, GL_FLOAT, 0, nullptr);
         glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -194,7 +197,8 @@ class Client {
         glViewport(0, 0, width_, height_);
     }
 
-    void ask(int width, int height) {
+    // A volume: no colour, no depth.
+    void query_about(int width, int height) const {
         glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
         glDepthMask(GL_FALSE);
         glBeginQuery(GL_SAMPLES_PASSED, query_);
@@ -202,9 +206,20 @@ class Client {
         glEndQuery(GL_SAMPLES_PASSED);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         glDepthMask(GL_TRUE);
+    }
+
+    void ask(int width, int height) {
+        query_about(width, height);
         GLuint samples = 0;
         glGetQueryObjectuiv(query_, GL_QUERY_RESULT, &samples);
         results_.push_back(samples);
+    }
+
+    void draw_on_condition(int width, int height) const {
+        query_about(width, height);
+        glBeginConditionalRender(query_, GL_QUERY_WAIT);
+        draw_from(buffer_, 1);
+        glEndConditionalRender();
     }
 
     void ask_region(int width, int height) {

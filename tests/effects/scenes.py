@@ -50,6 +50,10 @@ HELD_UP_US = CLEAR_US + 19 * DRAW_US - P["fifo_us"] - 19 * P["batch_us"]
 WORK_US = 5000
 HELD_UP_FRAME_US = HELD_UP_US + 20 * P["batch_us"] + WORK_US + P["swap_us"] + SWAP_US
 
+# The GPU asks about a small box, waits for the result, and draws a triangle, twenty times: longer than the CPU takes.
+SMALL_BOX_US = fragments(8) * us_each("depth_fragments_per_second")
+CONDITIONAL_US = P["query_us"] + 20 * (P["gpu_query_us"] + SMALL_BOX_US + P["result_latency_us"] + TRIANGLE) + SMALL * SWAPPED
+
 # 0.3 in the 24 bits of the window's depth buffer; furthest depths are rounded up to 8 bits, nearest ones down.
 STORED = round(0.3 * (2**24 - 1)) / (2**24 - 1)
 FURTHEST, NEAREST = 77 / 255, 76 / 255
@@ -71,7 +75,9 @@ UNCALLED = {
                            scene("clear region=16,16,3 depth=0 unit=8,8,2", "0 of 10 depths did not fit their register")],
 }
 CALLED = {
-    "latency": [scene("clear ask=8,8,20", "40 results were asked for, which took", 20 * P["result_latency_us"])],
+    "latency": [scene("clear ask=8,8,20", "40 results were asked for, which took", 20 * P["result_latency_us"]),
+                scene("clear condition=8,8,20", "40 results were asked for, which took", 20 * P["result_latency_us"],
+                      CONDITIONAL_US - (20 * (P["query_us"] + P["batch_us"]) + P["swap_us"] + SMALL * SWAPPED))],
     "back-pressure": [scene(f"window=512,512 clear fill=512,512,20 work={WORK_US}", "the FIFO was full for", HELD_UP_US,
                             HELD_UP_FRAME_US - BUSY_US)],
     # A draw takes as long as the longer one of its vertices and its fragments.
