@@ -15,40 +15,13 @@
 #include <unordered_map>
 #include <vector>
 
-#include "context/fragment_sampler.h"
-#include "context/work_counters.h"
+#include "context/draw_windows.h"
 #include "occlusion_unit/result_times.h"
 #include "occlusion_unit/timeline.h"
 
 namespace glext_emu {
 
 struct Context;
-
-// Where a draw's vertices come from.
-enum class VertexSource : std::uint8_t {
-    kArrays,     // of the program's or of buffer objects: asked for
-    kImmediate,  // between Begin and End
-    kList,       // a display list, which lies in video memory
-    kPixels,     // there are none
-};
-
-// A draw in a window.
-struct DrawnBatch {
-    std::uint64_t triangles = 0;
-    bool is_known = true;
-    bool is_copied = false;
-};
-
-// Draws whose fragments are counted together: those of one query, or those between two. Of all of them the
-// calls tell the triangles, or of none.
-struct WorkWindow {
-    std::vector<DrawnBatch> batches;
-    CountedWork counted = {};
-    bool is_of_query = false;
-    bool is_apart = false;  // of one draw, which is counted by itself
-    bool is_depth_only = false;
-    std::uint32_t samples = 1;
-};
 
 // Under --dry nothing is rasterised: a program that asks for what was, by <command>, is told so in a sentence
 // and ends with status 2, since no answer would be true.
@@ -67,8 +40,8 @@ class DeviceTime final : public occlusion_unit::ResultTimes {
     void draw(std::uint64_t triangles, bool is_known, VertexSource source);
     // A draw of a query that the layer makes several times: it counts between count() and stop_counting().
     void draw_apart(std::uint64_t triangles, bool is_known, VertexSource source);
-    void count();
-    void stop_counting();
+    void count() { windows_.count(); }
+    void stop_counting() { windows_.stop_counting(); }
     void clear(std::uint64_t pixels, std::uint32_t samples);
     void read_back(std::uint64_t pixels);
     void copy_to_buffer(std::uint64_t pixels);
@@ -103,7 +76,7 @@ class DeviceTime final : public occlusion_unit::ResultTimes {
     // The program begins, or has ended, a query of its own on <target>.
     void leave_to_program(GLenum target, bool is_programs);
 
-    WorkCounters& counters() { return counters_; }
+    WorkCounters& counters() { return windows_.counters(); }
     // The context is at its end, in the midst of a frame.
     void end_unfinished_frame() { last_frame_ = timeline_.frame_sums(); }
     // Of the last frame that ended; of everything.
@@ -129,26 +102,15 @@ class DeviceTime final : public occlusion_unit::ResultTimes {
         std::vector<WorkWindow> windows = {};
     };
 
-    bool can_count() const;
-    std::uint32_t samples();
-    bool shares(const DrawnBatch& batch);
-    bool needs_copy(VertexSource source);
-    void open_window(bool is_of_query, bool is_depth_only);
     void keep(Command command);
+    void keep_draws(WorkWindow window);
     // Before a time that is asked for in the midst of a query: what it has drawn so far.
     void keep_unfinished_query();
     void execute(Command& command);
+    void execute_draws(const WorkWindow& window);
+    occlusion_unit::Fragments execute_windows(std::vector<WorkWindow>& windows, std::uint64_t shapes);
     void execute_unfinished_query(std::vector<WorkWindow>& windows);
     void execute_query(std::vector<WorkWindow>& windows, std::uint64_t shapes);
-    // What the driver has counted; triangles that no call told are shared out evenly.
-    struct Counted {
-        std::uint64_t fragments = 0;
-        std::uint64_t triangles = 0;
-        std::uint64_t copied_triangles = 0;
-    };
-    Counted take_counts(WorkWindow& window);
-    void execute_draws(const WorkWindow& window, const Counted& counted);
-    occlusion_unit::Fragments execute_windows(std::vector<WorkWindow>& windows, std::uint64_t shapes);
     occlusion_unit::ResultTime time_of(Tick ticket) const;
     void drop_seen();
 
@@ -156,21 +118,7 @@ class DeviceTime final : public occlusion_unit::ResultTimes {
     const occlusion_unit::Profile& profile_;
     std::unique_ptr<occlusion_unit::TimelineListener> file_;  // null: no timeline is written
     occlusion_unit::Timeline timeline_;
-    WorkCounters counters_;
-    bool has_statistics_ = false;
-    bool counts_fragments_ = false;
-    FragmentSampler sampler_;
-    FragmentAverage fragments_of_query_;     // a window of it
-    FragmentAverage fragments_of_triangle_;  // outside queries
-
-    static constexpr GLint kNoFramebuffer = -1;
-    GLint sampled_framebuffer_ = kNoFramebuffer;  // the one that has samples_
-    std::uint32_t samples_ = 1;
-    static constexpr unsigned kMostSplits = 16;
-    unsigned splits_left_ = kMostSplits;  // of the frame's windows, by the size of their draws
-
-    bool is_window_open_ = false;
-    WorkWindow window_;
+    DrawWindows windows_;
     std::vector<WorkWindow> query_windows_;  // of the query that is active
     std::uint64_t shapes_ = 1;
     std::uint64_t regions_ = 0;

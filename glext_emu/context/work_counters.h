@@ -22,7 +22,7 @@ struct Context;
 
 constexpr std::size_t kWorkCounts = 4;
 constexpr std::array<GLenum, kWorkCounts> kWorkTargets = {GL_FRAGMENT_SHADER_INVOCATIONS,
-                                                          GL_VERTICES_SUBMITTED, GL_CLIPPING_INPUT_PRIMITIVES,
+                                                          GL_VERTICES_SUBMITTED, GL_PRIMITIVES_SUBMITTED,
                                                           GL_CLIPPING_OUTPUT_PRIMITIVES};
 
 // Names of queries that have ended, in the order of kWorkTargets; 0: not counted.
