@@ -87,9 +87,8 @@ TIMELINE_CAPTION = """A part of frame {frame} of stop-and-wait (to the layer, wh
 the time of the {device}, as Figure 1 of the paper draws it. The CPU waits for the result of each query (Q)
 before it knows what comes next; while it then prepares the next query or draws (R), the GPU has nothing to do. The
 whole frame is in <code>runs/{file}</code>, which ui.perfetto.dev opens."""
-# So much of the frame as ten queries take or more, and where it begins, if the frame is long enough.
+# From the middle of the frame, where boxes are small, as much as some ten queries take.
 TIMELINE_WINDOW_US = 400
-TIMELINE_BEGIN_US = 1000
 
 
 def timeline(settings, image_frame):
@@ -101,7 +100,7 @@ def timeline(settings, image_frame):
         length_us = timeline_picture.read_frame(trace, number).length
     except (OSError, ValueError):
         return ""  # the run failed, which the page says
-    begin_us = max(0, min(TIMELINE_BEGIN_US, length_us - TIMELINE_WINDOW_US))
+    begin_us = max(0, (length_us - TIMELINE_WINDOW_US) / 2)
     window_us = (begin_us, begin_us + TIMELINE_WINDOW_US)
     picture = timeline_picture.draw(trace, frame=number, window_us=window_us)
     caption = TIMELINE_CAPTION.format(
@@ -175,7 +174,7 @@ def write_page(
         "latency_plot": plots.against_latency(rows) if rows else "",
         "latency_caption": LATENCY_CAPTION,
         "paper_table": tables.paper_table(rows, devices[-1]),
-        "timed_device": escape(DEVICE_TITLES[TIMED_DEVICE]),
+        "timed_device": escape(DEVICE_TITLES[TIMED_DEVICE].split(":")[0]),
         "device_time_table": tables.device_time_table(rows, device_rows),
         "device_share_table": tables.device_share_table(device_rows),
         "timeline": timeline(settings, image_frame),
