@@ -85,6 +85,7 @@ CALLED = {
                    BUSY_US - 20 * P["batch_us"] - P["swap_us"])],
     "driver-copy": [scene("clear arrays=100,20", "4000 triangles lay outside", 2000 * COPIED),
                     scene("clear immediate=100,20", "4000 triangles lay outside", 2000 * COPIED),
+                    scene("clear immediate=100,10 list=100,10", "2000 triangles lay outside", 1000 * COPIED),
                     scene("video=2 clear mesh=100,20", "4000 triangles lay outside", 2000 * COPIED)],
     "multisampling": [scene("window=512,512 samples=4 clear fill=512,512,5",
                             f"{FRAMES * (LARGE + 5 * fragments(512))} fragments had several samples",
