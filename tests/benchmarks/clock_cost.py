@@ -27,24 +27,29 @@ class Row:
     program: str
     arguments: tuple
     frames: int
+    once: tuple = ()  # arguments by which it is done soon
 
 
 def city(culler):
-    return Row(f"chc-city, {culler}", "walkthrough", ("--scene", "chc-city", "--culler", culler), 40)
+    return Row(f"chc-city, {culler}", "walkthrough", ("--scene", "chc-city", "--culler", culler), 40, ("--scale", "0.05"))
 
 
 ROWS = (city("frustum"), city("stop-and-wait"), city("ideal"), Row("lists", "clock_lists", (), 200))
 
 
+def frames_of(row, options):
+    return 3 if options.once else row.frames
+
+
 def frame_times(row, side, options):
     """(milliseconds by the wall's clock, of processor time) of every frame of one run."""
-    frames = 3 if options.once else row.frames
+    frames = frames_of(row, options)
     with tempfile.NamedTemporaryFile(mode="r", prefix="frame_times_") as file:
         library = options.build / "lib"
         environment = dict(os.environ, LP_NUM_THREADS=str(options.threads), LIBGL_ALWAYS_SOFTWARE="1",
                            LD_PRELOAD=f"{library / 'libframe_times.so'}:{library / 'libglext_emu.so'}",
                            GLEXT_EMU=f"device={DEVICE},{SIDES[side]}", FRAME_TIMES=file.name)
-        arguments = [*row.arguments, "--frames", str(frames)]
+        arguments = [*row.arguments, *(row.once if options.once else ()), "--frames", str(frames)]
         # What walkthrough prints is for people; it says which machine it found, so that the layer is seen.
         done = subprocess.run([options.build / "bin" / row.program, *arguments], env=environment, text=True, check=False,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -106,6 +111,6 @@ def clock_cost(options):
     os.sched_setaffinity(0, every_processor)
     worst = max(result["device"][1] for result in results.values())
     print(f"median of pairs at most {worst:.3f}; bound {BOUND:.2f}: {'holds' if holds else 'does not hold'}\n"
-          f"medians of pairs (lower to upper quartile), {options.rounds} rounds of {ROWS[0].frames} frames, of lists "
-          f"{ROWS[-1].frames}\nLP_NUM_THREADS={options.threads}, {pinned}, load {load:.1f} at the start; no report")
+          f"medians of pairs (lower to upper quartile), {options.rounds} rounds of {frames_of(ROWS[0], options)} frames, of "
+          f"lists {frames_of(ROWS[-1], options)}\nLP_NUM_THREADS={options.threads}, {pinned}, load {load:.1f} at the start; no report")
     return results, holds
