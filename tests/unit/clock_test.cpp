@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <vector>
 
 using occlusion_unit::Clock;
 using occlusion_unit::ClockKind;
@@ -16,16 +18,43 @@ Clock clock_of(const char* text) {
     return Clock(Latency::parse(text).value());
 }
 
+// A device whose time is a number: a result is there 10 after its query's end, a poll takes 1.
+class TenLater final : public occlusion_unit::ResultTimes {
+  public:
+    Tick end_query() override {
+        ends_.push_back(now);
+        return ends_.size();
+    }
+    Tick last_ticket() const override { return ends_.size(); }
+    bool poll(Tick ticket) override {
+        ++now;
+        return has_come(ticket);
+    }
+    bool has_come(Tick ticket) override { return now >= time_of(ticket); }
+    void wait_for(Tick ticket) override { now = std::max(now, time_of(ticket)); }
+    bool wait_for(Tick ticket, std::uint64_t most_ns) override {
+        now = std::min(std::max(now, time_of(ticket)), now + most_ns);
+        return has_come(ticket);
+    }
+
+    std::uint64_t now = 0;
+
+  private:
+    std::uint64_t time_of(Tick ticket) const { return ticket == 0 ? 0 : ends_[ticket - 1] + 10; }
+    std::vector<std::uint64_t> ends_;
+};
+
 TEST(Clock, latencies_are_read_and_written_alike) {
-    for (const char* text : {"none", "wall=50", "calls=0", "calls=10000", "frames=2"}) {
+    for (const char* text : {"none", "wall=50", "calls=0", "calls=10000", "frames=2", "device"}) {
         ASSERT_TRUE(Latency::parse(text)) << text;
         EXPECT_EQ(Latency::parse(text)->text(), text);
     }
 }
 
 TEST(Clock, what_is_not_a_clock_is_refused) {
-    for (const char* text : {"", "wall", "wall=", "wall=-1", "wall=5us", "wall= 5", "calls=1.5", "ticks=3",
-                             "NONE", "frames=99999999999999999999", "wall=86400000001", "none=1"}) {
+    for (const char* text :
+         {"", "wall", "wall=", "wall=-1", "wall=5us", "wall= 5", "calls=1.5", "ticks=3", "NONE",
+          "frames=99999999999999999999", "wall=86400000001", "none=1", "device=1"}) {
         EXPECT_FALSE(Latency::parse(text)) << text;
     }
 }
@@ -139,6 +168,35 @@ TEST(Clock, a_blocking_read_on_the_wall_is_never_early) {
         const auto spent = std::chrono::steady_clock::now() - start;
         EXPECT_GE(spent, std::chrono::microseconds(Latency::parse(text)->amount)) << text;
     }
+}
+
+TEST(Clock, the_device_says_when_its_results_are_there) {
+    TenLater device;
+    Clock clock(Latency{ClockKind::kDevice}, &device);
+    EXPECT_TRUE(clock.delays());
+    EXPECT_TRUE(clock.is_deterministic());
+    EXPECT_FALSE(clock.counts_calls());
+    clock.wait_until(clock.latest_due());  // nothing has ended yet
+    EXPECT_EQ(device.now, 0u);
+    const Tick first = clock.due();
+    for (int polls = 1; polls < 10; ++polls) EXPECT_FALSE(clock.poll(first)) << polls;
+    EXPECT_TRUE(clock.poll(first));
+    EXPECT_EQ(device.now, 10u);
+    const Tick second = clock.due();
+    EXPECT_EQ(clock.latest_due(), second);
+    // Calls and swaps are no time on it.
+    for (int i = 0; i < 100; ++i) {
+        clock.count_call();
+        clock.count_swap();
+        EXPECT_FALSE(clock.reached(second));
+    }
+    EXPECT_FALSE(clock.wait_for(second, 4));
+    EXPECT_EQ(device.now, 14u);
+    EXPECT_TRUE(clock.wait_for(second, 100));
+    EXPECT_EQ(device.now, 20u);
+    clock.wait_until(second);
+    EXPECT_TRUE(clock.reached(first));
+    EXPECT_EQ(device.now, 20u);
 }
 
 }  // namespace
