@@ -160,6 +160,7 @@ void Timeline::wait_until(Picoseconds end, std::uint64_t query) {
 void Timeline::wait_on_gpu(const ResultTime& result) {
     ++sums_.results_asked;
     if (result.available <= gpu_) return;
+    sums_.latency += result.available - std::clamp(result.done, gpu_, result.available);
     sums_.starvation += result.available - gpu_;
     tell({Lane::kGpu, Activity::kCondition, gpu_, result.available, result.query});
     gpu_ = result.available;

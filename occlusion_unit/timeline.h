@@ -107,7 +107,7 @@ struct TimeSums {
     Picoseconds multisampling = 0;  // of that, what samples cost more than pixels
     Picoseconds driver_copy = 0;
     Picoseconds read_cost = 0;
-    Picoseconds latency = 0;          // of result_stall, what was waited after the query's work was done
+    Picoseconds latency = 0;          // of waits for results, what was waited after the query's work was done
     std::uint64_t results_asked = 0;  // fetched, polled, or waited for by the GPU
     std::uint64_t copied_triangles = 0;
     std::uint64_t pixels_read = 0;

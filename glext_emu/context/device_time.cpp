@@ -190,6 +190,11 @@ bool DeviceTime::poll(Tick ticket) {
     return has_come(ticket);
 }
 
+bool DeviceTime::poll_on_gpu(Tick ticket) {
+    const bool has_come_to_cpu = poll(ticket);
+    return has_come_to_cpu || timeline_.gpu() >= time_of(ticket).available;
+}
+
 bool DeviceTime::has_come(Tick ticket) {
     settle();
     return timeline_.has_come(time_of(ticket));

@@ -50,6 +50,8 @@ class DeviceTime final : public occlusion_unit::ResultTimes {
     void ask_about_regions(std::uint64_t count, std::uint64_t pixels);
     // Draws that follow depend on a result, for which the GPU waits.
     void wait_on_gpu(Tick ticket);
+    // True where the result of <ticket> is there when the GPU comes to what follows.
+    bool poll_on_gpu(Tick ticket);
     void work(std::uint64_t nanoseconds);
     void finish();
     void swap(std::uint64_t pixels);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which windows of a frame have their fragments counted, since the driver takes about 2 us for each: the
-// first ones all, of the others about half, and what is left out is taken to be like those before it.
+// first ones all, of the others about a quarter, and what is left out is taken to be like those before it.
 // Deterministic.
 #pragma once
 
@@ -16,11 +16,11 @@ class FragmentSampler {
     bool picks() {
         ++windows_;
         if (takes_all_ || ++windows_of_frame_ <= kCountedOfFrame) return true;
-        // splitmix64: every second one in turn would fall in with the order of a binary tree.
+        // splitmix64: every fourth one in turn would fall in with the order of a binary tree.
         std::uint64_t bits = windows_ * 0x9E3779B97F4A7C15;
         bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9;
         bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EB;
-        return ((bits ^ (bits >> 31)) & 1) != 0;
+        return ((bits ^ (bits >> 31)) & 3) == 0;
     }
     void next_frame() { windows_of_frame_ = 0; }
 

@@ -2,6 +2,7 @@
 #include "context/list_pause.h"
 
 #include "context/context.h"
+#include "context/device_time.h"
 
 namespace glext_emu {
 
@@ -49,11 +50,13 @@ void close_step(Context& ctx) {
 }
 
 void open_step(Context& ctx) {
+    if (ctx.time != nullptr) ctx.time->pause();
     ctx.recording.segment = make_hidden_list(ctx);
     ctx.real->glNewList(ctx.recording.segment, ctx.recording.mode);
 }
 
 void open_draw_step(Context& ctx, GLenum mode) {
+    if (ctx.time != nullptr) ctx.time->pause();
     ctx.recording.segment = make_hidden_list(ctx);
     ctx.real->glNewList(ctx.recording.segment, mode);
 }

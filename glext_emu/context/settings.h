@@ -7,7 +7,7 @@
 //   timeline=FILE         Trace Event file of the device's time       default none
 //   frames=A..B           the frames that it holds, from 0            default all
 //   without=A+B           effects of the device's time switched off   default none
-//   fragments=all         of every draw, not of half where there are many   default some
+//   fragments=all         of every draw, not of a part of many             default some
 //   dry=1                 draws are counted, not rasterised           default off
 //   probe=unit            the Occlusion Unit watches the program's queries and reports   default none
 //   driver=NAME           the GLVND vendor that the vendor library stands before   default mesa

@@ -12,10 +12,10 @@ namespace {
 enum : std::size_t { kFragments, kVertices, kPrimitives, kClipped };
 
 // Of separate quads, triangles and polygons v vertices in p primitives are v - 2p triangles; of strips and
-// fans p; of strips of quads the clipper alone knows, as long as nothing of them is outside.
+// fans p; of strips of quads the clipper alone knows, which makes more triangles of those that it cuts.
 std::uint64_t triangles_of(std::uint64_t vertices, std::uint64_t primitives, std::uint64_t clipped) {
     const std::uint64_t separate = vertices > 2 * primitives ? vertices - 2 * primitives : 0;
-    return std::max({primitives, separate, clipped});
+    return std::max({primitives, separate, std::min(clipped, 2 * primitives)});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Display lists. A list that holds emulated operations becomes a recipe: the driver's lists with our
 // operations between them. Where emulated operations can occur, a nested CallList counts as one, since the
 // inner list may hold some by the time it is called.
+#include "context/device_time.h"
 #include "features/features.h"
 #include "features/list_recorder.h"
 
@@ -203,6 +204,8 @@ void new_list(Context& ctx, GLuint list, GLenum mode) {
         ctx.recording.segment = make_hidden_list(ctx);
     }
     open_segment_ahead(ctx);
+    // The end of a query that counts for the device's time would be compiled.
+    if (ctx.time != nullptr) ctx.time->pause();
     ctx.real->glNewList(ctx.recording.segment, mode);
     ctx.update_hot();
 }

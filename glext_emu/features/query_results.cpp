@@ -56,7 +56,7 @@ void write_to_buffer(Context& ctx, GLuint id, QueryRecord& record, GLenum pname,
     switch (pname) {
         case GL_QUERY_RESULT_AVAILABLE: {
             ctx.frame.polls++;
-            const bool is_due = !ctx.clock.delays() || ctx.clock.poll(record.due);
+            const bool is_due = !ctx.clock.delays() || poll_in_pipe(ctx, record.due);
             if (is_due && ctx.clock.is_deterministic()) has_passed(ctx, id);
             if (accepts() && !is_due) put_in_buffer(ctx, buffer, offset, T{GL_FALSE});
             return;
@@ -75,7 +75,7 @@ void write_to_buffer(Context& ctx, GLuint id, QueryRecord& record, GLenum pname,
         }
         case GL_QUERY_RESULT_NO_WAIT: {
             ctx.frame.polls++;
-            if (ctx.clock.delays() && !ctx.clock.poll(record.due)) {
+            if (ctx.clock.delays() && !poll_in_pipe(ctx, record.due)) {
                 // The call is judged, and leaves nothing.
                 const auto before = taken_from_buffer<T>(ctx, buffer, offset);
                 if (accepts() && before) put_in_buffer(ctx, buffer, offset, *before);

@@ -31,4 +31,9 @@ inline void wait_in_pipe(Context& ctx, occlusion_unit::Tick due) {
     ctx.clock.wait_until(due);
 }
 
+// The same without waiting: what the GPU has waited for is there for what it writes.
+inline bool poll_in_pipe(Context& ctx, occlusion_unit::Tick due) {
+    return ctx.time != nullptr ? ctx.time->poll_on_gpu(due) : ctx.clock.poll(due);
+}
+
 }  // namespace glext_emu::features

@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
                             "saturation, depth-quantisation");
     run_command->add_flag("--all-fragments", options.counts_all_fragments,
                           "with --clock device: count the fragments of every query and draw; by itself those "
-                          "of half of them where a frame has more than 64 groups");
+                          "of a quarter of them where a frame has more than 64 groups");
     run_command->add_flag("--dry", options.is_dry,
                           "with --clock device: count draws and do not rasterise them, for programs that "
                           "decide nothing by pixels");
