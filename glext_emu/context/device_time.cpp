@@ -201,6 +201,7 @@ bool DeviceTime::has_come(Tick ticket) {
 }
 
 void DeviceTime::wait_for(Tick ticket) {
+    if (ticket == 0) return;  // nothing has ended yet
     settle();
     timeline_.wait(time_of(ticket));
 }

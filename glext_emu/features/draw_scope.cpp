@@ -68,6 +68,8 @@ void draw_in_list(Context& ctx, Triangles triangles, DrawCall call) {
         recording.is_suspended = false;
     } else if (!recording.only_compiles()) {
         before_draw(ctx, triangles);
+        if (ctx.time != nullptr)
+            ctx.time->draw(triangles.count, triangles.is_known, source_of(triangles.kind));
     }
     open_draw_step(ctx, is_watched ? GL_COMPILE : recording.mode);
     call();
