@@ -17,7 +17,7 @@ BUILD, EXAMPLES = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3
 del sys.argv[1:]
 # Example -> a device that has its extension.
 DEVICES = {"depth_region_query": "proposed-zfar-parallel", "occlusion_unit": "proposed-occlusion-unit"}
-EXTENSIONS = {"GL_EMU_depth_region_query", "GL_EMU_occlusion_unit"}
+EXTENSIONS = {"GL_EMU_depth_region_query", "GL_EMU_device_time", "GL_EMU_occlusion_unit"}
 
 
 class Installed(unittest.TestCase):

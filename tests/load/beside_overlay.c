@@ -27,7 +27,7 @@ int main(void) {
     const int lookups_before = overlay_lookups();
     const struct Gl gl = find_gl(find_gl_symbol);
     if (overlay_lookups() != lookups_before + 1)
-        return failed("the overlay did not see the look-up of glClear");
+        return failed("the overlay did not see the look-up of glVertex3f");
     swap(&session);
     if (overlay_swaps() != 1) return failed("the overlay did not see exactly one swap");
     const int status = check_gl(&gl);
