@@ -22,8 +22,6 @@ using occlusion_unit::Fragments;
 using occlusion_unit::Picoseconds;
 using occlusion_unit::ResultTime;
 
-// Triangles of a box: as many are part of a query's own costs, as a bounding volume's.
-constexpr std::uint64_t kVolumeTriangles = 12;
 // Commands and draws are kept until somebody asks for a time, but not more of them than this.
 constexpr std::size_t kMostKept = 1 << 14;
 constexpr std::size_t kMostQueryWindows = 1 << 14;

@@ -84,9 +84,12 @@ std::uint32_t DrawWindows::samples() {
 }
 
 DrawnBatch DrawWindows::batch_of(std::uint64_t triangles, bool is_known, VertexSource source) {
+    is_known = is_known && !ctx_.conditional.is_in_driver;
+    // A bounding volume's vertices are part of its query's costs, so nobody has to ask where they lie.
+    const bool is_volume = is_known && triangles <= kVolumeTriangles && draws_in_query(ctx_);
     return {.triangles = triangles,
-            .is_known = is_known && !ctx_.conditional.is_in_driver,
-            .is_copied = needs_copy(source),
+            .is_known = is_known,
+            .is_copied = !is_volume && needs_copy(source),
             .is_depth_only = !writes_color(ctx_)};
 }
 

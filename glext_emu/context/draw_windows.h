@@ -47,6 +47,9 @@ struct WorkWindow {
     std::uint64_t triangles = 0;
 };
 
+// Triangles of a box: as many are part of a query's own costs, as a bounding volume's.
+constexpr std::uint64_t kVolumeTriangles = 12;
+
 // True while what is drawn is a query's.
 bool draws_in_query(const Context& ctx);
 
