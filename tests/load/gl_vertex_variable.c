@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A global variable called glVertex3f, as programs have that keep function pointers under GL's names; part of
-// the program, or of a library of it. A layer that exports glVertex3f gets it bound to its own code: writing it
-// crashes. A layer that calls an exported glVertex3f of its own lands in the variable.
+// the program, or of a library of it. A layer that exports glVertex3f gets it bound to its own code: writing
+// it crashes. A layer that calls an exported glVertex3f of its own lands in the variable.
 #include <stdio.h>
 #include <unistd.h>
 
