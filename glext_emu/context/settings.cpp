@@ -92,7 +92,7 @@ constexpr KeyReader kReaders[] = {
     {"without",
      [](std::string_view value, Settings& settings) { return switch_off(value, settings.effects); },
      " is not a list of effects, expected some of latency, back-pressure, fill, driver-copy, multisampling, "
-     "read-cost, starvation, saturation, depth-quantisation, with a + between them."},
+     "read-cost, starvation, saturation, depth-quantisation."},
     {"fragments",
      [](std::string_view value, Settings& settings) {
          settings.counts_all_fragments = value == "all";
@@ -129,15 +129,19 @@ std::string contradiction(const Settings& settings) {
     if (settings.probes_unit && settings.report_path.empty())
         return "The probe writes into the report, so probe= wants report=FILE.";
     if (settings.latency.kind != occlusion_unit::ClockKind::kDevice) {
-        const char* const needy = !settings.timeline_path.empty() ? "timeline="
-                                  : settings.is_dry               ? "dry="
+        const char* const needy = !settings.timeline_path.empty() ? "A timeline"
+                                  : settings.is_dry               ? "A dry run"
                                                                   : nullptr;
         if (needy != nullptr)
-            return std::string(needy) + " is about the device's time, so it wants clock=device.";
+            return std::string(needy) + " is about the device's time, so it wants the clock `device`.";
     } else if (!settings.device.time) {
         return "The device " + quoted(settings.device.name) +
-               " has no [time], so clock=device has nothing to go by.";
+               " has no [time], so the clock `device` has nothing to go by.";
     }
+    const FrameRange& frames = settings.timeline_frames;
+    const bool chooses_frames = frames.first != FrameRange{}.first || frames.last != FrameRange{}.last;
+    if (chooses_frames && settings.timeline_path.empty())
+        return "Frames are chosen for the timeline, so there has to be a file for it.";
     return "";
 }
 

@@ -40,7 +40,6 @@ class WorkCounters {
     void begin(Context& ctx, bool wants_fragments, bool wants_triangles);
     CountedWork end(Context& ctx);
     bool is_open() const { return open_ != CountedWork{}; }
-    bool counts_triangles() const { return open_[1] != 0; }
 
     // What <counted> has counted; waits for the driver, and the names are free again.
     Work take(Context& ctx, const CountedWork& counted);

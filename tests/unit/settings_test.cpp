@@ -65,7 +65,7 @@ TEST(Settings, the_time_of_a_device_is_asked_for_with_its_clock) {
         EXPECT_EQ(result.settings.effects[i], name != "fill" && name != "latency") << name;
     }
     const auto frames = [&](const char* range) {
-        return parse_settings((device + "clock=device,frames=" + range).c_str());
+        return parse_settings((device + "clock=device,timeline=/tmp/t.json,frames=" + range).c_str());
     };
     EXPECT_EQ(frames("7").settings.timeline_frames.last, 7u);
     EXPECT_EQ(frames("7..").settings.timeline_frames.last, ~std::uint64_t{0});
@@ -76,8 +76,12 @@ TEST(Settings, the_time_of_a_device_is_asked_for_with_its_clock) {
 TEST(Settings, what_is_about_time_wants_a_device_that_has_one) {
     EXPECT_NE(parse_settings("device=mesa,clock=device").error.find("`mesa` has no [time]"),
               std::string::npos);
-    EXPECT_NE(parse_settings("timeline=/tmp/t.json").error.find("wants clock=device"), std::string::npos);
-    EXPECT_NE(parse_settings("device=geforce-fx-5950,dry=1").error.find("wants clock=device"),
+    EXPECT_NE(parse_settings("timeline=/tmp/t.json").error.find("wants the clock `device`"),
+              std::string::npos);
+    EXPECT_NE(parse_settings("device=geforce-fx-5950,dry=1").error.find("wants the clock `device`"),
+              std::string::npos);
+    EXPECT_NE(parse_settings("device=geforce-fx-5950,clock=device,frames=1..2")
+                  .error.find("there has to be a file"),
               std::string::npos);
     EXPECT_NE(parse_settings("without=fil").error.find("is not a list of effects"), std::string::npos);
     EXPECT_NE(parse_settings("dry=2").error.find("is not a choice for dry="), std::string::npos);
