@@ -18,16 +18,14 @@ void Frame::draw(std::span<const ObjectId> objects) {
     canvas.draw(batch_);
 }
 
-std::span<const CullerRecipe> cullers() {
-    static constexpr Knob kProxyKnobs[] = {
-        {"proxy_growth", kSafeGrowthPixels, kSafeGrowthPixels, 8,
-         "pixels by which the box of a test is grown"},
-    };
-    static constexpr CullerRecipe kCullers[] = {
-        {"none", true, false, {}, make_none},
-        {"frustum", true, false, {}, make_frustum},
-        {"stop-and-wait", true, true, kProxyKnobs, make_stop_and_wait},
-        {"ideal", true, true, kProxyKnobs, make_ideal},
+extern const CullerRecipe kNone, kFrustum, kStopAndWait, kIdeal;
+
+std::span<const CullerRecipe* const> cullers() {
+    static constexpr const CullerRecipe* kCullers[] = {
+        &kNone,
+        &kFrustum,
+        &kStopAndWait,
+        &kIdeal,
     };
     return kCullers;
 }
@@ -35,8 +33,28 @@ std::span<const CullerRecipe> cullers() {
 const CullerRecipe* find_culler(std::string_view name) {
     const auto all = cullers();
     const auto it =
-        std::find_if(all.begin(), all.end(), [&](const CullerRecipe& c) { return c.name == name; });
-    return it == all.end() ? nullptr : &*it;
+        std::find_if(all.begin(), all.end(), [&](const CullerRecipe* c) { return c->name == name; });
+    return it == all.end() ? nullptr : *it;
+}
+
+std::unique_ptr<Culler> make_culler(std::string_view name, const KnobValues& settings) {
+    const CullerRecipe& recipe = *find_culler(name);
+    return recipe.make(recipe.knob_values(settings));
+}
+
+KnobValues CullerRecipe::knob_values(const KnobValues& settings) const {
+    KnobValues values;
+    for (const Knob& knob : knobs) {
+        const auto set = settings.find(knob.name);
+        values[std::string(knob.name)] = set == settings.end() ? knob.value : set->second;
+    }
+    return values;
+}
+
+bool CullerRecipe::is_conservative_with(const KnobValues& values) const {
+    return is_conservative && std::all_of(knobs.begin(), knobs.end(), [&](const Knob& knob) {
+               return !knob.trades_image || values.find(knob.name)->second == knob.value;
+           });
 }
 
 }  // namespace apps

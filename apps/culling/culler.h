@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A culler decides, frame by frame, what to ask and what to draw. It knows boxes and objects; what asks and
-// draws, GL or a test, is its Canvas. A new culler: one file, one line in culler.cpp, one in CMakeLists.txt,
-// one section of docs.
+// draws, GL or a test, is its Canvas. A new culler: one file with its recipe, two lines in culler.cpp, one in
+// CMakeLists.txt, one section of docs.
 #pragma once
 
 #include <cstdint>
@@ -12,29 +12,18 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/culling/canvas.h"
+#include "apps/culling/statistic.h"
 #include "apps/culling/view.h"
-#include "apps/hierarchy/kd_tree.h"
+#include "apps/hierarchy/tree.h"
 
 namespace apps {
-
-/// The machine as a culler sees it.
-class Canvas {
-  public:
-    virtual ~Canvas() = default;
-
-    virtual void draw(std::span<const ObjectId> objects) = 0;
-
-    /// Draws `proxy`, unseen, inside an occlusion test, and waits for its answer: could any sample of it be
-    /// seen?
-    virtual bool is_visible(const Box& proxy) = 0;
-};
 
 enum class NodeClass : std::uint8_t { kUnvisited, kOutside, kOccluded, kVisible };
 
 /// One frame's work and record.
 struct Frame {
-    Frame(int number, const Scene& the_scene, const KdTree& the_tree, const View& the_view,
-          Canvas& the_canvas)
+    Frame(int number, const Scene& the_scene, const Tree& the_tree, const View& the_view, Canvas& the_canvas)
         : index(number),
           scene(the_scene),
           tree(the_tree),
@@ -48,12 +37,13 @@ struct Frame {
 
     int index;
     const Scene& scene;
-    const KdTree& tree;
+    const Tree& tree;
     const View& view;
     Canvas& canvas;
     std::vector<ObjectId> drawn;         // in the order of drawing, each once
     std::vector<std::uint8_t> is_drawn;  // by object: the stamp
     std::vector<NodeClass> classes;      // by node, for pictures
+    Tally tally;
 
   private:
     std::vector<ObjectId> batch_;
@@ -66,7 +56,14 @@ class Culler {
     /// Called for every frame before the first is timed; for what a method may know beforehand.
     virtual void prepare(Frame&) {}
 
+    /// Forgets earlier frames: the next is the first. Called on the context that they were drawn in.
+    virtual void restart() {}
+
     virtual void draw(Frame& frame) = 0;
+
+    /// Called after the time of a frame was taken, with no other frame between: for what can be known only
+    /// then, such as what the GPU decided to draw.
+    virtual void settle(Frame&) {}
 };
 
 struct Knob {
@@ -74,26 +71,43 @@ struct Knob {
     double value;  // where --set does not name it
     double low, high;
     std::string_view meaning;
+    bool trades_image = false;  // any value but the default may leave out visible samples
 };
 
 using KnobValues = std::map<std::string, double, std::less<>>;  // every knob of the culler
 
-struct CullerRecipe {
-    std::string_view name;
-    bool is_conservative;  // with its knobs as they stand: never leaves out an object that owns a sample
-    bool asks;             // needs an occlusion test: GL_ARB_occlusion_query or GL_HP_occlusion_test
-    std::span<const Knob> knobs;
-    std::unique_ptr<Culler> (*make)(const KnobValues&);
+enum class Needs : std::uint8_t {
+    kNothing,
+    kTest,       // some occlusion test, if only one at a time
+    kQueries,    // query objects, many in flight
+    kCondition,  // query objects, and draws that depend on them
+    kDepths,     // of the depth buffer: by depth region queries, else read back
 };
 
-std::span<const CullerRecipe> cullers();
+struct CullerRecipe {
+    std::string_view name;
+    bool is_conservative;  // with its knobs at their defaults: never leaves out an object that owns a sample
+    Needs needs;
+    std::span<const Knob> knobs;
+    std::unique_ptr<Culler> (*make)(const KnobValues&);
+
+    /// Its knobs at their defaults, but those of `settings`.
+    KnobValues knob_values(const KnobValues& settings = {}) const;
+
+    /// False where a knob that trades the image is set.
+    bool is_conservative_with(const KnobValues& values) const;
+};
+
+std::span<const CullerRecipe* const> cullers();
 
 /// nullptr where no culler has that name.
 const CullerRecipe* find_culler(std::string_view name);
 
-std::unique_ptr<Culler> make_none(const KnobValues&);
-std::unique_ptr<Culler> make_frustum(const KnobValues&);
-std::unique_ptr<Culler> make_stop_and_wait(const KnobValues&);
-std::unique_ptr<Culler> make_ideal(const KnobValues&);
+/// One of the list, its knobs at their defaults but those of `settings`.
+std::unique_ptr<Culler> make_culler(std::string_view name, const KnobValues& settings = {});
+
+/// The knob of all cullers that draw boxes in tests.
+inline constexpr Knob kProxyGrowthKnob = {"proxy_growth", kSafeGrowthPixels, kSafeGrowthPixels, 8,
+                                          "pixels by which the box of a test is grown"};
 
 }  // namespace apps

@@ -10,10 +10,10 @@ class Frustum final : public Culler {
   public:
     void draw(Frame& frame) override {
         traverse(frame.tree, frame.view.eye, [&](NodeId id) {
-            const KdNode& node = frame.tree.nodes[id];
+            const Node& node = frame.tree.nodes[id];
             const bool outside = is_outside(frame.view, node.box);
             frame.classes[id] = outside ? NodeClass::kOutside : NodeClass::kVisible;
-            if (!outside && node.is_leaf) frame.draw(frame.tree.objects_of(node));
+            if (!outside) frame.draw(frame.tree.objects_of(node));
             return !outside;
         });
     }
@@ -21,8 +21,10 @@ class Frustum final : public Culler {
 
 }  // namespace
 
-std::unique_ptr<Culler> make_frustum(const KnobValues&) {
-    return std::make_unique<Frustum>();
-}
+extern const CullerRecipe kFrustum;
+const CullerRecipe kFrustum = {
+    "frustum", true, Needs::kNothing, {}, [](const KnobValues&) -> std::unique_ptr<Culler> {
+        return std::make_unique<Frustum>();
+    }};
 
 }  // namespace apps

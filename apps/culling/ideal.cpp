@@ -30,10 +30,14 @@ class Ideal final : public Culler {
     std::map<int, Record> recorded_;
 };
 
+constexpr Knob kKnobs[] = {kProxyGrowthKnob};
+
 }  // namespace
 
-std::unique_ptr<Culler> make_ideal(const KnobValues& knobs) {
-    return std::make_unique<Ideal>(make_stop_and_wait(knobs));
-}
+extern const CullerRecipe kIdeal;
+const CullerRecipe kIdeal = {"ideal", true, Needs::kTest, kKnobs,
+                             [](const KnobValues& knobs) -> std::unique_ptr<Culler> {
+                                 return std::make_unique<Ideal>(make_culler("stop-and-wait", knobs));
+                             }};
 
 }  // namespace apps

@@ -18,8 +18,10 @@ class None final : public Culler {
 
 }  // namespace
 
-std::unique_ptr<Culler> make_none(const KnobValues&) {
-    return std::make_unique<None>();
-}
+extern const CullerRecipe kNone;
+const CullerRecipe kNone = {
+    "none", true, Needs::kNothing, {}, [](const KnobValues&) -> std::unique_ptr<Culler> {
+        return std::make_unique<None>();
+    }};
 
 }  // namespace apps

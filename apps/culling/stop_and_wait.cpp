@@ -16,17 +16,17 @@ class StopAndWait final : public Culler {
 
     void draw(Frame& frame) override {
         traverse(frame.tree, frame.view.eye, [&](NodeId id) {
-            const KdNode& node = frame.tree.nodes[id];
+            const Node& node = frame.tree.nodes[id];
             frame.classes[id] = classify(frame, node);
             if (frame.classes[id] != NodeClass::kVisible) return false;
             // Case 5: asked before it is drawn; the other order would test the box against what it encloses.
-            if (node.is_leaf) frame.draw(frame.tree.objects_of(node));
+            frame.draw(frame.tree.objects_of(node));
             return true;
         });
     }
 
   private:
-    NodeClass classify(Frame& frame, const KdNode& node) const {
+    NodeClass classify(Frame& frame, const Node& node) const {
         if (is_outside(frame.view, node.box)) return NodeClass::kOutside;
         const std::optional<Box> proxy = proxy_of(frame.view, node.box, growth_pixels_);
         return !proxy || frame.canvas.is_visible(*proxy) ? NodeClass::kVisible : NodeClass::kOccluded;
@@ -35,10 +35,14 @@ class StopAndWait final : public Culler {
     float growth_pixels_;
 };
 
+constexpr Knob kKnobs[] = {kProxyGrowthKnob};
+
 }  // namespace
 
-std::unique_ptr<Culler> make_stop_and_wait(const KnobValues& knobs) {
-    return std::make_unique<StopAndWait>(static_cast<float>(knobs.at("proxy_growth")));
-}
+extern const CullerRecipe kStopAndWait;
+const CullerRecipe kStopAndWait = {
+    "stop-and-wait", true, Needs::kTest, kKnobs, [](const KnobValues& knobs) -> std::unique_ptr<Culler> {
+        return std::make_unique<StopAndWait>(static_cast<float>(knobs.at("proxy_growth")));
+    }};
 
 }  // namespace apps

@@ -107,16 +107,16 @@ void divide(const std::vector<Item>& items, const Split& split, std::vector<Item
     }
 }
 
-NodeId lay_out(KdTree& tree, const std::vector<Draft>& drafts, std::size_t index) {
+NodeId lay_out(Tree& tree, const std::vector<Draft>& drafts, std::size_t index) {
     const Draft& draft = drafts[index];
     const auto id = static_cast<NodeId>(tree.nodes.size());
-    KdNode& node = tree.nodes.emplace_back();
+    Node& node = tree.nodes.emplace_back();
     node.box = draft.box;
     node.is_leaf = draft.is_leaf();
     if (node.is_leaf) {
-        node.first = static_cast<std::uint32_t>(tree.leaf_objects.size());
+        node.first = static_cast<std::uint32_t>(tree.objects.size());
         node.count = static_cast<std::uint32_t>(draft.items.size());
-        for (const Item& item : draft.items) tree.leaf_objects.push_back(item.object);
+        for (const Item& item : draft.items) tree.objects.push_back(item.object);
         return id;
     }
     node.axis = static_cast<std::uint8_t>(draft.split.axis);
@@ -129,7 +129,7 @@ NodeId lay_out(KdTree& tree, const std::vector<Draft>& drafts, std::size_t index
 
 }  // namespace
 
-KdTree build_kd_tree(const Scene& scene, std::size_t leaves) {
+Tree build_kd_tree(const Scene& scene, std::size_t leaves) {
     std::vector<Item> all;
     for (ObjectId id = 0; id < scene.objects.size(); ++id) all.push_back({id, scene.objects[id].box});
     std::vector<Draft> drafts;
@@ -152,34 +152,10 @@ KdTree build_kd_tree(const Scene& scene, std::size_t leaves) {
             open.push({drafts[child].split.gain, child});
         }
     }
-    KdTree tree;
+    Tree tree;
     lay_out(tree, drafts, 0);
+    tree.link_parents();
     return tree;
-}
-
-std::size_t paper_leaf_count(std::uint64_t triangles) {
-    constexpr double kPaperLeaves = (33'195 + 1) / 2.0;
-    constexpr double kPaperTriangles = 1'036'146;
-    return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(static_cast<double>(triangles) *
-                                                                         kPaperLeaves / kPaperTriangles)));
-}
-
-Scene in_leaf_order(const Scene& scene, KdTree& tree) {
-    constexpr ObjectId kUnnamed = ~ObjectId{0};
-    std::vector<ObjectId> order;
-    std::vector<ObjectId> new_id(scene.objects.size(), kUnnamed);
-    for (ObjectId& object : tree.leaf_objects) {
-        if (new_id[object] == kUnnamed) {
-            new_id[object] = static_cast<ObjectId>(order.size());
-            order.push_back(object);
-        }
-        object = new_id[object];
-    }
-    for (KdNode& node : tree.nodes)
-        if (node.is_leaf)
-            std::sort(tree.leaf_objects.begin() + node.first,
-                      tree.leaf_objects.begin() + node.first + node.count);
-    return reordered(scene, order);
 }
 
 }  // namespace apps

@@ -49,7 +49,7 @@ bool crosses(const Ray& ray, const Scene& scene, const Object& object) {
 
 }  // namespace
 
-bool is_blocked(const Scene& scene, const KdTree& tree, const glm::vec3& origin, const glm::vec3& direction,
+bool is_blocked(const Scene& scene, const Tree& tree, const glm::vec3& origin, const glm::vec3& direction,
                 float reach) {
     const Ray ray{origin, direction, 1.0F / direction, reach};
     std::vector<NodeId> stack{0};
@@ -57,7 +57,7 @@ bool is_blocked(const Scene& scene, const KdTree& tree, const glm::vec3& origin,
     while (!stack.empty()) {
         const NodeId id = stack.back();
         stack.pop_back();
-        const KdNode& node = tree.nodes[id];
+        const Node& node = tree.nodes[id];
         if (!crosses(ray, node.box)) continue;
         if (!node.is_leaf) {
             stack.push_back(node.upper);

@@ -3,7 +3,6 @@
 #include "apps/oracle/oracle.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace apps {
 namespace {
@@ -30,14 +29,8 @@ std::vector<ObjectId> candidates(const Scene& scene, const View& view) {
 
 }  // namespace
 
-Oracle::Oracle(Renderer& renderer, const Scene& scene) : renderer_(renderer), scene_(scene) {
-    std::vector<glm::u8vec4> colours(scene.positions.size());
-    for (ObjectId id = 0; id < scene.objects.size(); ++id) {
-        const Object& object = scene.objects[id];
-        const auto colour = std::bit_cast<glm::u8vec4>(id + 1);
-        std::fill_n(colours.begin() + object.first_vertex, object.vertex_count, colour);
-    }
-    ids_ = renderer.add_paint(std::move(colours));
+Oracle::Oracle(Renderer& renderer, const Scene& scene)
+    : renderer_(renderer), scene_(scene), ids_(renderer.add_owner_paint()) {
 }
 
 void Oracle::begin(const View& view) {

@@ -12,13 +12,19 @@ namespace {
 class HpOcclusionTest final : public OcclusionTest {
   public:
     /// "The result is set to FALSE as a side effect of reading it": what earlier drawing left behind is gone.
-    HpOcclusionTest() { wait(); }
+    HpOcclusionTest() { fetch(0); }
 
     std::string_view extension() const override { return "GL_HP_occlusion_test"; }
-    void begin() override { glEnable(GL_OCCLUSION_TEST_HP); }
-    void end() override { glDisable(GL_OCCLUSION_TEST_HP); }
+    bool has_queries() const override { return false; }
 
-    bool wait() override {
+    std::uint32_t begin() override {
+        glEnable(GL_OCCLUSION_TEST_HP);
+        return 0;
+    }
+    void end() override { glDisable(GL_OCCLUSION_TEST_HP); }
+    bool is_available(std::uint32_t) override { return true; }  // the machine does not tell
+
+    std::uint32_t fetch(std::uint32_t) override {
         GLboolean result = GL_TRUE;  // no answer means visible
         glGetBooleanv(GL_OCCLUSION_TEST_RESULT_HP, &result);
         return result == GL_TRUE;

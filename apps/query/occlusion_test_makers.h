@@ -7,6 +7,7 @@
 namespace apps {
 
 std::unique_ptr<OcclusionTest> make_arb_occlusion_query(Platform& platform);
+std::unique_ptr<OcclusionTest> make_nv_occlusion_query(Platform& platform);
 std::unique_ptr<OcclusionTest> make_hp_occlusion_test();
 
 }  // namespace apps

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Draws a scene's objects, and the proxies of occlusion tests, with fixed-function GL 1.1: vertex arrays in
 // buffer objects where the machine advertises them, else in the client's memory. One Renderer to a context.
-// Depth test LEQUAL, no face culling, no blending, no dithering: a picture is a function of the set of
-// objects.
+// A placed object is drawn with the modelview matrix times its placement, multiplied in float, whoever draws
+// it: its pixels are the same in every picture. Depth test LEQUAL, no face culling, no blending, no
+// dithering: a picture is a function of the set of objects.
 #pragma once
 
 #include <cstdint>
@@ -25,6 +26,10 @@ class Renderer {
     using Paint = std::size_t;
     static constexpr Paint kBaked = 0;
     Paint add_paint(std::vector<glm::u8vec4> colours);
+
+    /// Objects in the colour that is their id + 1, as 32 bits of RGBA8, also those that share a mesh.
+    Paint add_owner_paint();
+
     /// `is_flat`: no interpolation, every pixel has exactly the colour of its vertices.
     void use_paint(Paint paint, bool is_flat);
 
@@ -35,12 +40,15 @@ class Renderer {
 
     void draw(std::span<const ObjectId> objects);
 
+    /// Prepares for draw(), so that it sets no state.
+    void use_forwards() { use_objects(Mode::kForwards); }
+
     /// The same, last object first; `objects` ascending.
     void draw_backwards(std::span<const ObjectId> objects);
 
-    /// Prepares for draw_proxy, which draws the twelve triangles of a box without changing a pixel.
+    /// Prepares for draw_proxies, which draws the twelve triangles of each box without changing a pixel.
     void use_proxies();
-    void draw_proxy(const Box& box);
+    void draw_proxies(std::span<const Box> boxes);
 
     /// What a picture shows besides the scene. Two corners to a line, three to a triangle; world metres, RGBA
     /// in 0..1. Blended over what is there, hidden by what is nearer unless `on_top`, and no depth is
@@ -68,10 +76,16 @@ class Renderer {
   private:
     enum class Mode { kNone, kForwards, kBackwards, kProxies };
     struct Buffers;
+    static constexpr Paint kNoPaint = ~Paint{0};
 
     void leave_mode();
     void use_objects(Mode mode);
+    template <class Next>
+    void draw_runs(Next&& next, std::size_t count);
     void draw_run(std::uint32_t first_index, std::uint32_t count);
+    void place(std::uint32_t placement);
+    void set_proxy_arrays();
+    void paint_owner(ObjectId id);
     void draw_shapes(unsigned primitive, const Shapes& shapes, bool on_top);
 
     const Scene& scene_;
@@ -80,11 +94,16 @@ class Renderer {
     std::vector<std::uint32_t> backward_indices_;
     std::vector<std::vector<glm::u8vec4>> paints_;
     Paint paint_ = kBaked;
+    Paint owner_paint_ = kNoPaint;
+    std::vector<ObjectId> owners_;  // by first vertex of a mesh: in whose colour it is in the owner paint
+    glm::mat4 modelview_{1};
+    std::uint32_t placement_ = 0;  // that the modelview matrix holds now
     Mode mode_ = Mode::kNone;
     int width_ = 0;
     int height_ = 0;
-    glm::vec3 proxy_corners_[8];
-    glm::u8vec4 proxy_colours_[8]{};
+    std::vector<glm::vec3> proxy_corners_;
+    std::vector<glm::u8vec4> proxy_colours_;
+    std::vector<std::uint32_t> proxy_indices_;
 };
 
 }  // namespace apps

@@ -2,6 +2,7 @@
 // Frames to JSON, and their means.
 #include "apps/report/frame_report.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
@@ -12,6 +13,11 @@ using Json = nlohmann::ordered_json;
 
 std::vector<Json> frame_lines(const std::vector<FrameRecord>& frames) {
     std::vector<Json> lines;
+    std::vector<const Statistic*> counted;
+    for (const Statistic* statistic : Statistic::all())
+        if (std::any_of(frames.begin(), frames.end(),
+                        [&](const FrameRecord& frame) { return frame.tally.has(*statistic); }))
+            counted.push_back(statistic);
     for (std::size_t index = 0; index < frames.size(); ++index) {
         const FrameRecord& f = frames[index];
         Json line{{"frame", index},
@@ -20,11 +26,16 @@ std::vector<Json> frame_lines(const std::vector<FrameRecord>& frames) {
                   {"frustum_triangles", f.frustum_triangles},
                   {"queries", f.counters.queries},
                   {"results_waited", f.counters.results_waited},
+                  {"query_boxes", f.counters.query_boxes},
+                  {"polls", f.counters.polls},
                   {"pixels_read", f.counters.pixels_read},
+                  {"region_waits", f.counters.region_waits},
                   {"tiles_tested", f.counters.tiles_tested},
                   {"stall_ms", f.counters.stall_ms},
                   {"frame_ms", f.frame_ms},
                   {"device_ms", f.device_ms ? Json(*f.device_ms) : Json(nullptr)}};
+        for (const Statistic* statistic : counted)
+            line[std::string(statistic->name())] = f.tally.of(*statistic);
         if (f.verdict) {
             line["visible_objects"] = f.verdict->visible_objects;
             line["false_culls"] = f.verdict->false_culls;
@@ -57,8 +68,13 @@ Json summary_of(const std::vector<Json>& lines, const std::vector<double>& basel
     for (const auto& [key, first] : lines.front().items()) {
         if (key == "frame") continue;
         double sum = 0;
-        for (const Json& line : lines) sum += line[key].is_number() ? line[key].get<double>() : 0;
-        summary[key] = first.is_null() ? Json(nullptr) : Json(sum / static_cast<double>(lines.size()));
+        double count = 0;
+        for (const Json& line : lines) {
+            if (!line.contains(key)) continue;  // a frame that was not judged
+            sum += line[key].is_number() ? line[key].get<double>() : 0;
+            ++count;
+        }
+        summary[key] = first.is_null() ? Json(nullptr) : Json(sum / count);
     }
     if (!baseline.empty()) {
         double ratios = 0;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "apps/culling/statistic.h"
 #include "apps/oracle/oracle.h"
 #include "apps/render/gl_canvas.h"
 
@@ -19,6 +20,7 @@ struct FrameRecord {
     std::uint64_t drawn_triangles = 0;
     std::uint64_t frustum_triangles = 0;  // that view-frustum culling over the same tree would draw
     Counters counters;
+    Tally tally;                      // what the culler counted beside
     double frame_ms = 0;              // from the clear to the end of glFinish
     std::optional<double> device_ms;  // from swap to swap, on the clock of an emulated device
     std::optional<Verdict> verdict;

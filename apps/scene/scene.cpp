@@ -2,7 +2,15 @@
 // Sums, permutation and fingerprint of a scene.
 #include "apps/scene/scene.h"
 
+#include <unordered_map>
+
 namespace apps {
+
+std::uint64_t Scene::triangle_count() const {
+    std::uint64_t sum = 0;
+    for (const Object& object : objects) sum += object.triangle_count();
+    return sum;
+}
 
 std::uint64_t triangles_of(const Scene& scene, std::span<const ObjectId> objects) {
     std::uint64_t sum = 0;
@@ -10,27 +18,45 @@ std::uint64_t triangles_of(const Scene& scene, std::span<const ObjectId> objects
     return sum;
 }
 
+Box placed_box(const Scene& scene, const Object& mesh, const glm::mat4& placement) {
+    Box box;
+    for (std::uint32_t v = 0; v < mesh.vertex_count; ++v)
+        box.add(glm::vec3(placement * glm::vec4(scene.positions[mesh.first_vertex + v], 1)));
+    return box;
+}
+
 Scene reordered(const Scene& scene, std::span<const ObjectId> order) {
+    struct Start {
+        std::uint32_t index;
+        std::uint32_t vertex;
+    };
+    std::unordered_map<std::uint32_t, Start> starts;  // of the new mesh, by the first index of the old
     Scene result;
     result.name = scene.name;
     result.path = scene.path;
     result.bounds = scene.bounds;
+    result.placements = scene.placements;
     result.positions.reserve(scene.positions.size());
     result.colours.reserve(scene.colours.size());
     result.indices.reserve(scene.indices.size());
     result.objects.reserve(scene.objects.size());
     for (const ObjectId id : order) {
         Object object = scene.objects[id];
-        const auto vertices = static_cast<std::uint32_t>(result.positions.size());
-        const auto indices = static_cast<std::uint32_t>(result.indices.size());
-        for (std::uint32_t v = 0; v < object.vertex_count; ++v) {
-            result.positions.push_back(scene.positions[object.first_vertex + v]);
-            result.colours.push_back(scene.colours[object.first_vertex + v]);
+        const Start end{static_cast<std::uint32_t>(result.indices.size()),
+                        static_cast<std::uint32_t>(result.positions.size())};
+        const auto [place, is_new] = starts.try_emplace(object.first_index, end);
+        const Start start = place->second;
+        if (is_new) {
+            for (std::uint32_t v = 0; v < object.vertex_count; ++v) {
+                result.positions.push_back(scene.positions[object.first_vertex + v]);
+                result.colours.push_back(scene.colours[object.first_vertex + v]);
+            }
+            for (std::uint32_t i = 0; i < object.index_count; ++i)
+                result.indices.push_back(scene.indices[object.first_index + i] - object.first_vertex +
+                                         start.vertex);
         }
-        for (std::uint32_t i = 0; i < object.index_count; ++i)
-            result.indices.push_back(scene.indices[object.first_index + i] - object.first_vertex + vertices);
-        object.first_vertex = vertices;
-        object.first_index = indices;
+        object.first_vertex = start.vertex;
+        object.first_index = start.index;
         result.objects.push_back(object);
     }
     return result;
@@ -48,6 +74,10 @@ std::uint64_t hash_of(const Scene& scene) {
     for (const Object& object : scene.objects) {
         hash = hash_bytes(std::as_bytes(std::span(&object.first_index, 1)), hash);
         hash = hash_bytes(std::as_bytes(std::span(&object.index_count, 1)), hash);
+        if (object.placement != 0) {
+            hash = hash_bytes(std::as_bytes(std::span(&object.placement, 1)), hash);
+            hash = hash_bytes(std::as_bytes(std::span(&scene.placements[object.placement], 1)), hash);
+        }
     }
     return hash_bytes(std::as_bytes(std::span(scene.path.keys())), hash);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What exists: triangles in metres with baked colours, grouped into the objects that a culler draws or leaves
-// out. Vertices belong to one object each, so an item buffer can give every object a colour of its own.
+// out. Objects may share a mesh, a range of the arrays, each placed in the world by a motion of its own.
 #pragma once
 
 #include <cstdint>
@@ -16,36 +16,44 @@ namespace apps {
 
 using ObjectId = std::uint32_t;  // index into Scene::objects
 
-/// Objects hold consecutive ranges of the index and vertex arrays, in the order of their ids.
+/// A range of the index and vertex arrays, its mesh, where Scene::placements[placement] puts it. Two ranges
+/// are the same or have nothing in common.
 struct Object {
     std::uint32_t first_index = 0;
     std::uint32_t index_count = 0;
     std::uint32_t first_vertex = 0;
     std::uint32_t vertex_count = 0;
-    Box box;
+    std::uint32_t placement = 0;
+    Box box;  // in the world
 
     std::uint32_t triangle_count() const { return index_count / 3; }
 };
 
 struct Scene {
     std::string name;
-    std::vector<glm::vec3> positions;  // metres
+    std::vector<glm::vec3> positions;  // metres, of meshes before they are placed
     std::vector<glm::u8vec4> colours;  // RGBA, light baked in; one per position
     std::vector<std::uint32_t> indices;
+    std::vector<glm::mat4> placements{glm::mat4(1)};  // rigid motions, mesh to world; the first is none
     std::vector<Object> objects;
     CameraPath path;
     Box bounds;
 
-    std::uint32_t triangle_count() const { return static_cast<std::uint32_t>(indices.size() / 3); }
+    /// Of all objects: what a mesh is shown twice counts twice.
+    std::uint64_t triangle_count() const;
 };
 
 /// The triangles of `objects` together.
 std::uint64_t triangles_of(const Scene& scene, std::span<const ObjectId> objects);
 
-/// The same scene with object `order[i]` as object i; `order` is a permutation of the ids.
+/// The box in the world of a mesh's vertices, as `placement` puts them: no larger than float rounding needs.
+Box placed_box(const Scene& scene, const Object& mesh, const glm::mat4& placement);
+
+/// The same scene with object `order[i]` as object i and meshes in the order of their first object; `order`
+/// is a permutation of the ids.
 Scene reordered(const Scene& scene, std::span<const ObjectId> order);
 
-/// 64-bit FNV-1a of everything that can reach a picture: geometry, objects and path.
+/// 64-bit FNV-1a of everything that can reach a picture: geometry, objects, placements and path.
 std::uint64_t hash_of(const Scene& scene);
 
 /// Folds `bytes` into an FNV-1a hash; start with kHashSeed.

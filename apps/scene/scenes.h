@@ -10,11 +10,17 @@
 
 namespace apps {
 
+enum class TreeKind : std::uint8_t { kKdTree, kBvh };
+
 struct SceneRecipe {
     std::string_view name;
     std::uint32_t triangles;  // at scale 1
+    std::uint32_t objects;    // at scale 1
+    std::uint32_t leaves;     // of its tree at scale 1; 0: an object to a leaf
+    TreeKind tree;            // of the paper
     std::string_view paper;
     double smallest_scale;
+    double largest_scale;
     /// Builds it with round(scale * triangles) triangles; the same arguments give the same bits.
     Scene (*build)(double scale, std::uint64_t seed);
 };
@@ -23,6 +29,9 @@ std::span<const SceneRecipe> scenes();
 
 /// nullptr where no scene has that name.
 const SceneRecipe* find_scene(std::string_view name);
+
+/// Leaves of its tree: the paper's, in proportion to the triangles; at least one.
+std::size_t leaf_count(const SceneRecipe& recipe, const Scene& scene);
 
 inline constexpr std::uint32_t kChcCityTriangles = 1'036'146;
 Scene build_chc_city(double scale, std::uint64_t seed);

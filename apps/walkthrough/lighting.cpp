@@ -50,7 +50,7 @@ glm::vec3 cosine_direction(const glm::vec3& normal, Random& random) {
 
 }  // namespace
 
-Lighting::Lighting(Renderer& renderer, const Scene& scene, const KdTree& tree)
+Lighting::Lighting(Renderer& renderer, const Scene& scene, const Tree& tree)
     : renderer_(renderer), scene_(scene), tree_(tree), normals_(scene.positions.size(), glm::vec3(0, 0, 1)) {
     std::vector<glm::u8vec4> numbers;
     for (std::uint32_t v = 0; v < scene.positions.size(); ++v)

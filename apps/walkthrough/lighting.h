@@ -25,7 +25,7 @@ struct Lit {
 
 class Lighting {
   public:
-    Lighting(Renderer& renderer, const Scene& scene, const KdTree& tree);
+    Lighting(Renderer& renderer, const Scene& scene, const Tree& tree);
 
     /// Draws `objects` and lights every pixel; `pass` chooses the random directions.
     std::vector<Lit> light(const Eye& eye, int width, int height, std::span<const ObjectId> objects,
@@ -42,7 +42,7 @@ class Lighting {
 
     Renderer& renderer_;
     const Scene& scene_;
-    const KdTree& tree_;
+    const Tree& tree_;
     Renderer::Paint vertex_paint_;
     std::vector<glm::vec3> normals_;  // by vertex
 };

@@ -6,6 +6,32 @@
 #include "apps/scene/scenes.h"
 
 namespace apps {
+namespace {
+
+/// One extension of each inner list.
+nlohmann::ordered_json extensions_of(Needs needs) {
+    using Json = nlohmann::ordered_json;
+    const Json queries{"GL_ARB_occlusion_query", "GL_NV_occlusion_query"};
+    Json list = Json::array();
+    switch (needs) {
+        case Needs::kNothing:
+        case Needs::kDepths:
+            break;  // glReadPixels will do
+        case Needs::kTest:
+            list.push_back(queries);
+            list.back().push_back("GL_HP_occlusion_test");
+            break;
+        case Needs::kCondition:
+            list.push_back({"GL_NV_conditional_render", "GL_NVX_conditional_render"});
+            [[fallthrough]];
+        case Needs::kQueries:
+            list.push_back(queries);
+            break;
+    }
+    return list;
+}
+
+}  // namespace
 
 nlohmann::ordered_json list_all() {
     using Json = nlohmann::ordered_json;
@@ -13,25 +39,27 @@ nlohmann::ordered_json list_all() {
     for (const SceneRecipe& scene : scenes())
         scene_list.push_back({{"name", scene.name},
                               {"triangles", scene.triangles},
-                              {"objects", scene.build(1, 1).objects.size()},
+                              {"objects", scene.objects},
                               {"paper", scene.paper},
                               {"smallest_scale", scene.smallest_scale}});
     Json culler_list = Json::array();
-    for (const CullerRecipe& culler : cullers()) {
+    for (const CullerRecipe* culler : cullers()) {
         Json knobs = Json::array();
-        for (const Knob& knob : culler.knobs)
+        for (const Knob& knob : culler->knobs)
             knobs.push_back({{"name", knob.name},
                              {"default", knob.value},
                              {"range", {knob.low, knob.high}},
-                             {"meaning", knob.meaning}});
-        Json needs = Json::array();
-        if (culler.asks) needs.push_back({"GL_ARB_occlusion_query", "GL_HP_occlusion_test"});
-        culler_list.push_back({{"name", culler.name},
-                               {"conservative", culler.is_conservative},
-                               {"needs", needs},
+                             {"meaning", knob.meaning},
+                             {"trades_image", knob.trades_image}});
+        culler_list.push_back({{"name", culler->name},
+                               {"conservative", culler->is_conservative},
+                               {"needs", extensions_of(culler->needs)},
                                {"knobs", knobs}});
     }
-    return {{"scenes", scene_list}, {"cullers", culler_list}};
+    Json statistic_list = Json::array();
+    for (const Statistic* statistic : Statistic::all())
+        statistic_list.push_back({{"name", statistic->name()}, {"meaning", statistic->meaning()}});
+    return {{"scenes", scene_list}, {"cullers", culler_list}, {"statistics", statistic_list}};
 }
 
 }  // namespace apps

@@ -6,7 +6,8 @@
 
 namespace apps {
 
-/// {"scenes": [{name, triangles, objects, paper}], "cullers": [{name, conservative, needs, knobs}]}
+/// {"scenes": [{name, triangles, objects, paper}], "cullers": [{name, conservative, needs, knobs}],
+/// "statistics": [{name, meaning}]}
 nlohmann::ordered_json list_all();
 
 }  // namespace apps

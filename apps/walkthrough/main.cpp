@@ -61,7 +61,8 @@ int run(const apps::Options& options) {
 
     std::uint64_t false_culls = 0;
     for (const FrameRecord& frame : frames) false_culls += frame.verdict ? frame.verdict->false_culls : 0;
-    const bool failed = false_culls > 0 && apps::find_culler(options.culler)->is_conservative;
+    const bool failed =
+        false_culls > 0 && apps::find_culler(options.culler)->is_conservative_with(options.knobs);
     if (failed)
         fmt::print(stderr, "walkthrough: {} is conservative and left out {} visible objects\n",
                    options.culler, false_culls);

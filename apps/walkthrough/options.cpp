@@ -43,12 +43,17 @@ void read_size(const std::string& text, Options& options) {
 template <class List>
 std::string names_of(const List& list) {
     std::vector<std::string_view> names;
-    for (const auto& entry : list) names.push_back(entry.name);
+    for (const auto& entry : list) {
+        if constexpr (std::is_pointer_v<std::remove_cvref_t<decltype(entry)>>)
+            names.push_back(entry->name);
+        else
+            names.push_back(entry.name);
+    }
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
 void read_knobs(const std::vector<std::string>& settings, const CullerRecipe& culler, KnobValues& values) {
-    for (const Knob& knob : culler.knobs) values[std::string(knob.name)] = knob.value;
+    values = culler.knob_values();
     for (const std::string& setting : settings) {
         const auto [name, text] = split_pair(setting, "--set");
         const auto knob = std::find_if(culler.knobs.begin(), culler.knobs.end(),
@@ -65,6 +70,12 @@ void read_knobs(const std::vector<std::string>& settings, const CullerRecipe& cu
     }
 }
 
+/// Refuses `value` unless it is one of `allowed` or, left to be chosen, empty.
+void check_choice(const char* option, const std::string& value, std::initializer_list<const char*> allowed) {
+    if (value.empty() || std::find(allowed.begin(), allowed.end(), value) != allowed.end()) return;
+    throw BadUse(fmt::format("{} is {}, not \"{}\"", option, fmt::join(allowed, " or "), value));
+}
+
 void read_work(double work_us, Options& options) {
     constexpr double kMostMicroseconds = 1e9;
     if (!(work_us >= 0 && work_us <= kMostMicroseconds))
@@ -77,16 +88,23 @@ void check(const Options& options) {
     if (options.image_frame < 0 || options.image_frame >= options.frames)
         throw BadUse(
             fmt::format("--image-frame is from 0 to {}, not {}", options.frames - 1, options.image_frame));
-    if (options.platform != "egl" && options.platform != "glx" && options.platform != "osmesa")
-        throw BadUse(fmt::format("--platform is egl, glx or osmesa, not \"{}\"", options.platform));
+    check_choice("--platform", options.platform, {"egl", "glx", "osmesa"});
+    check_choice("--tree", options.tree, {"kd", "bvh"});
+    check_choice("--test", options.test,
+                 {"GL_ARB_occlusion_query", "GL_NV_occlusion_query", "GL_HP_occlusion_test"});
+    check_choice("--regions", options.regions, {"GL_EMU_depth_region_query", "glReadPixels"});
+    if (options.leaf_triangles < 1) throw BadUse("--leaf-triangles is at least 1, not 0");
+    if (options.judge_every < 1)
+        throw BadUse(fmt::format("--judge-every is at least 1, not {}", options.judge_every));
+    if (options.judge_every > 1 && !options.oracle) throw BadUse("--judge-every needs --oracle");
     if (!options.oracle_cache.empty() && !options.oracle) throw BadUse("--oracle-cache needs --oracle");
     const SceneRecipe* scene = find_scene(options.scene);
     if (!scene && !std::filesystem::is_regular_file(options.scene))
         throw BadUse(
             fmt::format("--scene is {} or a model file, not \"{}\"", names_of(scenes()), options.scene));
-    if (scene && !(options.scale >= scene->smallest_scale && options.scale <= 16))
-        throw BadUse(fmt::format("--scale of {} is from {} to 16, not {}", scene->name, scene->smallest_scale,
-                                 options.scale));
+    if (scene && !(options.scale >= scene->smallest_scale && options.scale <= scene->largest_scale))
+        throw BadUse(fmt::format("--scale of {} is from {} to {}, not {}", scene->name, scene->smallest_scale,
+                                 scene->largest_scale, options.scale));
     if (!scene && options.scale != 1) throw BadUse("--scale changes generated scenes, not model files");
 }
 
@@ -113,6 +131,15 @@ Options parse_options(int argc, const char* const* argv) {
         ->capture_default_str();
     app.add_option("--scale", options.scale, "share of a generated scene's triangles")->capture_default_str();
     app.add_option("--seed", options.seed, "of a generated scene")->capture_default_str();
+    app.add_option("--tree", options.tree, "kd or bvh; that of the scene's paper unless given");
+    app.add_option("--leaf-triangles", options.leaf_triangles, "mean of a leaf in the tree of a model file")
+        ->capture_default_str();
+    app.add_option("--test", options.test,
+                   "the extension to ask by: GL_ARB_occlusion_query, GL_NV_occlusion_query or "
+                   "GL_HP_occlusion_test; the first of them that the machine has unless given");
+    app.add_option("--regions", options.regions,
+                   "how to ask for depths: GL_EMU_depth_region_query or glReadPixels; the first of them that "
+                   "the machine has unless given");
     app.add_option("--set", settings, "name=value of a knob of the culler")->allow_extra_args(false);
     app.add_option("--json", options.json,
                    "write the report there, a line a frame and a summary; - is stdout");
@@ -120,6 +147,8 @@ Options parse_options(int argc, const char* const* argv) {
                    "an earlier --json of as many frames: report speed-ups over it");
     app.add_flag("--oracle", options.oracle,
                  "compare each frame with the exact visible set; false culls exit 1");
+    app.add_option("--judge-every", options.judge_every, "compare only every so many frames")
+        ->capture_default_str();
     app.add_option("--oracle-cache", options.oracle_cache, "keep the exact sets there for the next run");
     app.add_option("--images", options.images, "write view.png, above.png and nodes.png into that folder");
     app.add_option("--image-frame", options.image_frame, "of which frame")->capture_default_str();

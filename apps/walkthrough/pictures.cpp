@@ -173,7 +173,7 @@ void save_nodes(Renderer& renderer, const Lighting& lighting, const Frame& frame
     Renderer::Shapes lines;
     Renderer::Shapes faces;
     for (NodeId id = 0; id < frame.tree.nodes.size(); ++id) {
-        const KdNode& node = frame.tree.nodes[id];
+        const Node& node = frame.tree.nodes[id];
         const NodeClass c = frame.classes[id];
         if (c == NodeClass::kVisible && node.is_leaf)
             add_box(&lines, &faces, node.box, {0.50F, 0.20F, 0, 0.7F}, {1, 0.55F, 0.08F, 0.8F});

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <fstream>
 
+#include "apps/culling/traversal.h"
 #include "apps/oracle/oracle_cache.h"
 #include "apps/report/progress_bar.h"
 #include "apps/scene/model.h"
@@ -18,18 +19,51 @@ namespace {
 
 const glm::vec4 kSky{0.62F, 0.76F, 0.90F, 1};
 
-/// Counts what is drawn and draws nothing.
-class CountingCanvas final : public Canvas {
-  public:
-    void draw(std::span<const ObjectId>) override {}
-    bool is_visible(const Box&) override { return true; }
-};
+/// The triangles that view-frustum culling over the same tree would draw.
+std::uint64_t frustum_triangles(const World& world, const View& view) {
+    std::vector<std::uint8_t> is_inside(world.scene.objects.size(), 0);
+    traverse(world.tree, view.eye, [&](NodeId id) {
+        const Node& node = world.tree.nodes[id];
+        if (is_outside(view, node.box)) return false;
+        for (const ObjectId object : world.tree.objects_of(node)) is_inside[object] = 1;
+        return true;
+    });
+    std::uint64_t sum = 0;
+    for (ObjectId id = 0; id < is_inside.size(); ++id)
+        if (is_inside[id]) sum += world.scene.objects[id].triangle_count();
+    return sum;
+}
 
-std::uint64_t frustum_triangles(const World& world, const View& view, int index) {
-    CountingCanvas canvas;
-    Frame frame(index, world.scene, world.tree, view, canvas);
-    make_frustum({})->draw(frame);
-    return triangles_of(world.scene, frame.drawn);
+/// Throws BadUse where the machine has not what the culler needs.
+void check_needs(const CullerRecipe& recipe, const Machine& machine, const Options& options,
+                 const Platform& platform) {
+    const auto refuse = [&](const std::string& what) {
+        throw BadUse(fmt::format("{} needs {}, which {} {} has not", recipe.name, what, platform.renderer(),
+                                 platform.version()));
+    };
+    const bool has_queries = machine.test && machine.test->has_queries();
+    switch (recipe.needs) {
+        case Needs::kNothing:
+            return;
+        case Needs::kTest:
+            if (!machine.test)
+                refuse(options.test.empty() ? "GL_ARB_occlusion_query, GL_NV_occlusion_query or "
+                                              "GL_HP_occlusion_test"
+                                            : options.test);
+            return;
+        case Needs::kCondition:
+            if (!machine.conditions) refuse("GL_NV_conditional_render or GL_NVX_conditional_render");
+            [[fallthrough]];
+        case Needs::kQueries:
+            if (!has_queries)
+                refuse(options.test.empty()
+                           ? "query objects (GL_ARB_occlusion_query or GL_NV_occlusion_query)"
+                           : fmt::format("query objects by {}", options.test));
+            return;
+        case Needs::kDepths:
+            if (!machine.regions) refuse(options.regions);
+            return;
+    }
 }
 
 std::string cpu_name() {
@@ -44,10 +78,14 @@ std::string cpu_name() {
 World build_world(const Options& options) {
     const SceneRecipe* recipe = find_scene(options.scene);
     const Scene scene = recipe ? recipe->build(options.scale, options.seed) : load_model(options.scene);
-    World world;
-    world.tree = build_kd_tree(scene, paper_leaf_count(scene.triangle_count()));
-    world.scene = in_leaf_order(scene, world.tree);
-    return world;
+    const TreeKind own = recipe ? recipe->tree : TreeKind::kBvh;
+    const TreeKind kind = options.tree.empty()   ? own
+                          : options.tree == "kd" ? TreeKind::kKdTree
+                                                 : TreeKind::kBvh;
+    const std::size_t leaves =
+        recipe ? leaf_count(*recipe, scene)
+               : 1 + static_cast<std::size_t>(scene.triangle_count()) / options.leaf_triangles;
+    return make_world(scene, kind, leaves);
 }
 
 Walk::Walk(const World& world, const Options& options)
@@ -56,11 +94,9 @@ Walk::Walk(const World& world, const Options& options)
       platform_(open_platform(options.platform, options.width, options.height)),
       device_clock_(*platform_) {
     const CullerRecipe& recipe = *find_culler(options.culler);
-    test_ = choose_occlusion_test(*platform_);
-    if (recipe.asks && !test_)
-        throw BadUse(
-            fmt::format("{} needs GL_ARB_occlusion_query or GL_HP_occlusion_test, and {} {} has neither",
-                        recipe.name, platform_->renderer(), platform_->version()));
+    machine_ = {choose_occlusion_test(*platform_, options.test), choose_conditional_render(*platform_),
+                choose_depth_regions(*platform_, options.regions), &device_clock_};
+    check_needs(recipe, machine_, options, *platform_);
     renderer_ = std::make_unique<Renderer>(*platform_, world.scene);
     culler_ = recipe.make(options.knobs);
 }
@@ -71,7 +107,7 @@ View Walk::view(int frame) const {
 
 FrameRecord Walk::draw(int index) {
     const View v = view(index);
-    GlCanvas canvas(*renderer_, test_.get());
+    GlCanvas canvas(*renderer_, machine_);
     Frame frame(index, world_.scene, world_.tree, v, canvas);
 
     const auto start = std::chrono::steady_clock::now();
@@ -81,12 +117,14 @@ FrameRecord Walk::draw(int index) {
     culler_->draw(frame);
     renderer_->finish();
     const auto end = std::chrono::steady_clock::now();
+    culler_->settle(frame);
 
     FrameRecord record;
     record.frame_ms = std::chrono::duration<double, std::milli>(end - start).count();
     record.counters = canvas.counters();
     record.drawn_triangles = triangles_of(world_.scene, frame.drawn);
-    record.frustum_triangles = frustum_triangles(world_, v, index);
+    record.frustum_triangles = frustum_triangles(world_, v);
+    record.tally = std::move(frame.tally);
     record.drawn = std::move(frame.drawn);
     return record;
 }
@@ -98,11 +136,12 @@ std::vector<FrameRecord> Walk::run() {
             const View v = view(index);
             renderer_->set_matrices(v.modelview, v.projection, v.width, v.height);
             renderer_->clear(kSky);
-            GlCanvas canvas(*renderer_, test_.get());
+            GlCanvas canvas(*renderer_, machine_);
             Frame frame(index, world_.scene, world_.tree, v, canvas);
             culler_->prepare(frame);
         }
         draw(0);
+        culler_->restart();
         platform_->swap_buffers();
         device_clock_.lap_ms();
     }
@@ -125,6 +164,7 @@ void Walk::judge(std::vector<FrameRecord>& frames) {
     OracleCache cache(options_.oracle_cache, hash_bytes(std::as_bytes(std::span(key))), frames.size());
     ProgressBar bar("judging", options_.frames);
     for (std::size_t index = 0; index < frames.size(); ++index, bar.step()) {
+        if (index % static_cast<std::size_t>(options_.judge_every) != 0) continue;
         const View v = view(static_cast<int>(index));
         std::optional<Truth> truth = cache.find(index);
         if (!truth) {
@@ -138,12 +178,17 @@ void Walk::judge(std::vector<FrameRecord>& frames) {
 
 void Walk::save_images() {
     const View v = view(options_.image_frame);
-    GlCanvas canvas(*renderer_, test_.get());
-    Frame frame(options_.image_frame, world_.scene, world_.tree, v, canvas);
-    renderer_->set_matrices(v.modelview, v.projection, v.width, v.height);
-    renderer_->clear(kSky);
-    culler_->draw(frame);
-    save_pictures(*renderer_, frame, options_.images);
+    culler_->restart();
+    for (const bool is_second : {false, true}) {  // a culler that remembers shows how it is while it walks
+        GlCanvas canvas(*renderer_, machine_);
+        Frame frame(options_.image_frame, world_.scene, world_.tree, v, canvas);
+        renderer_->set_matrices(v.modelview, v.projection, v.width, v.height);
+        renderer_->clear(kSky);
+        culler_->draw(frame);
+        renderer_->finish();
+        culler_->settle(frame);
+        if (is_second) save_pictures(*renderer_, frame, options_.images);
+    }
 }
 
 nlohmann::ordered_json Walk::facts() const {
@@ -161,8 +206,10 @@ nlohmann::ordered_json Walk::facts() const {
                                            : nlohmann::ordered_json(version.substr(mesa + 5))},
         {"cpu", cpu_name()},
         {"platform", options_.platform},
-        {"occlusion_test",
-         test_ ? nlohmann::ordered_json(test_->extension()) : nlohmann::ordered_json(nullptr)},
+        {"occlusion_test", machine_.test ? nlohmann::ordered_json(machine_.test->extension())
+                                         : nlohmann::ordered_json(nullptr)},
+        {"depth_regions", machine_.regions ? nlohmann::ordered_json(machine_.regions->extension())
+                                           : nlohmann::ordered_json(nullptr)},
         {"buffer_objects", renderer_->has_buffer_objects()},
         {"scene_triangles", world_.scene.triangle_count()},
         {"scene_objects", world_.scene.objects.size()},

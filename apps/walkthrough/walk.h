@@ -2,17 +2,14 @@
 // The walk itself: a scene with its tree, a context, one culler, and the frames along the path.
 #pragma once
 
+#include "apps/hierarchy/world.h"
 #include "apps/platform/device_clock.h"
 #include "apps/report/frame_report.h"
 #include "apps/walkthrough/options.h"
 
 namespace apps {
 
-/// A scene in the order of its tree.
-struct World {
-    Scene scene;
-    KdTree tree;
-};
+/// The scene and the tree that the options name.
 World build_world(const Options& options);
 
 class Walk {
@@ -43,7 +40,7 @@ class Walk {
     std::unique_ptr<Platform> platform_;
     DeviceClock device_clock_;
     std::unique_ptr<Renderer> renderer_;
-    std::unique_ptr<OcclusionTest> test_;
+    Machine machine_;
     std::unique_ptr<Culler> culler_;
 };
 

@@ -5,11 +5,10 @@
 #include <algorithm>
 
 #include "apps/culling/culler.h"
-#include "apps/scene/scenes.h"
+#include "apps/hierarchy/world.h"
 
 namespace {
 
-using apps::KnobValues;
 using apps::ObjectId;
 using apps::View;
 using apps_test::Stage;
@@ -20,9 +19,9 @@ constexpr int kHeight = 240;
 
 struct Cullers : testing::Test {
     static void SetUpTestSuite() {
-        const apps::Scene raw = apps::build_chc_city(0.1, 2);
-        tree = new apps::KdTree(apps::build_kd_tree(raw, apps::paper_leaf_count(raw.triangle_count())));
-        stage = new Stage(apps::in_leaf_order(raw, *tree), kWidth, kHeight);
+        apps::World world = apps::make_world("chc-city", 0.1, 2);
+        tree = new apps::Tree(std::move(world.tree));
+        stage = new Stage(std::move(world.scene), kWidth, kHeight);
     }
     static void TearDownTestSuite() {
         delete stage;
@@ -35,18 +34,21 @@ struct Cullers : testing::Test {
 
     /// The drawn set of each frame, in the order of drawing.
     static std::vector<std::vector<ObjectId>> run(const apps::CullerRecipe& recipe) {
-        KnobValues knobs;
-        for (const apps::Knob& knob : recipe.knobs) knobs[std::string(knob.name)] = knob.value;
-        const auto culler = recipe.make(knobs);
+        const auto culler = apps::make_culler(recipe.name);
         std::vector<std::vector<ObjectId>> sets;
         for (int index = 0; index < kFrames; ++index) {
             const View v = view(index);
             stage->start(v);
             apps::Frame preparation(index, stage->scene, *tree, v, stage->canvas);
             culler->prepare(preparation);
+        }
+        for (int index = 0; index < kFrames; ++index) {
+            const View v = view(index);
             stage->start(v);
             apps::Frame frame(index, stage->scene, *tree, v, stage->canvas);
             culler->draw(frame);
+            stage->renderer.finish();
+            culler->settle(frame);
             sets.push_back(frame.drawn);
         }
         return sets;
@@ -56,13 +58,14 @@ struct Cullers : testing::Test {
     }
 
     static Stage* stage;
-    static apps::KdTree* tree;
+    static apps::Tree* tree;
 };
 Stage* Cullers::stage = nullptr;
-apps::KdTree* Cullers::tree = nullptr;
+apps::Tree* Cullers::tree = nullptr;
 
 TEST_F(Cullers, that_are_conservative_leave_out_no_object_that_owns_a_sample) {
-    for (const apps::CullerRecipe& recipe : apps::cullers()) {
+    for (const apps::CullerRecipe* each : apps::cullers()) {
+        const apps::CullerRecipe& recipe = *each;
         if (!recipe.is_conservative) continue;
         const auto sets = run(recipe);
         std::size_t at_stake = 0;
@@ -102,14 +105,15 @@ TEST_F(Cullers, called_ideal_draw_what_stop_and_wait_draws_in_its_order) {
 }
 
 TEST_F(Cullers, called_ideal_ask_nothing_while_they_are_timed) {
-    const auto ideal = apps::make_ideal({{"proxy_growth", 0.5}});
+    const auto ideal = apps::make_culler("ideal");
     const View v = view(0);
     stage->start(v);
-    apps::GlCanvas recording(stage->renderer, stage->test.get());
+    apps::GlCanvas recording(stage->renderer, stage->machine);
     apps::Frame preparation(0, stage->scene, *tree, v, recording);
     ideal->prepare(preparation);
     EXPECT_GT(recording.counters().queries, 20U);
-    apps::GlCanvas timed(stage->renderer, nullptr);  // asking would throw
+    apps::Machine without_tests;
+    apps::GlCanvas timed(stage->renderer, without_tests);  // asking would throw
     apps::Frame frame(0, stage->scene, *tree, v, timed);
     ideal->draw(frame);
     EXPECT_EQ(timed.counters().queries, 0U);

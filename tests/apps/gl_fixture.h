@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "apps/culling/culler.h"
 #include "apps/oracle/oracle.h"
 #include "apps/render/gl_canvas.h"
 #include "apps/scene/mesh_builder.h"
@@ -18,10 +19,11 @@ struct Stage {
     Stage(apps::Scene the_scene, int width, int height)
         : scene(std::move(the_scene)),
           platform(apps::open_egl(width, height)),
-          test(apps::choose_occlusion_test(*platform)),
+          machine{apps::choose_occlusion_test(*platform), apps::choose_conditional_render(*platform),
+                  apps::choose_depth_regions(*platform), nullptr},
           renderer(*platform, scene),
           oracle(renderer, scene),
-          canvas(renderer, test.get()) {}
+          canvas(renderer, machine) {}
 
     void start(const apps::View& view) {
         renderer.set_matrices(view.modelview, view.projection, view.width, view.height);
@@ -30,7 +32,7 @@ struct Stage {
 
     apps::Scene scene;
     std::unique_ptr<apps::Platform> platform;
-    std::unique_ptr<apps::OcclusionTest> test;
+    apps::Machine machine;
     apps::Renderer renderer;
     apps::Oracle oracle;
     apps::GlCanvas canvas;
@@ -38,10 +40,10 @@ struct Stage {
 
 /// A tree of two leaves that is always traversed in the order of the objects: the first hides, the second is
 /// hidden.
-inline apps::KdTree two_leaves(const apps::Scene& scene) {
-    apps::KdTree tree;
+inline apps::Tree two_leaves(const apps::Scene& scene) {
+    apps::Tree tree;
     tree.nodes.resize(3);
-    tree.leaf_objects = {0, 1};
+    tree.objects = {0, 1};
     for (std::uint32_t leaf : {0U, 1U}) {
         tree.nodes[leaf + 1].box = scene.objects[leaf].box;
         tree.nodes[leaf + 1].first = leaf;
@@ -49,8 +51,10 @@ inline apps::KdTree two_leaves(const apps::Scene& scene) {
         tree.nodes[0].box.add(scene.objects[leaf].box);
     }
     tree.nodes[0].is_leaf = false;
+    tree.nodes[0].axis = 0;
     tree.nodes[0].split = 1e9F;  // the eye is below it
     tree.nodes[0].upper = 2;
+    tree.link_parents();
     return tree;
 }
 

@@ -20,10 +20,10 @@ struct Outcome {
     bool is_visible;
 };
 
-Outcome walk(Stage& stage, const apps::KdTree& tree, const View& view) {
+Outcome walk(Stage& stage, const apps::Tree& tree, const View& view) {
     stage.start(view);
     apps::Frame frame(0, stage.scene, tree, view, stage.canvas);
-    apps::make_stop_and_wait({{"proxy_growth", apps::kSafeGrowthPixels}})->draw(frame);
+    apps::make_culler("stop-and-wait")->draw(frame);
     const apps::Truth truth = stage.oracle.look(view);
     const bool is_visible = std::find(truth.visible.begin(), truth.visible.end(), 1U) != truth.visible.end();
     return {stage.oracle.judge(view, truth, frame.drawn).false_culls, is_visible};
@@ -62,7 +62,7 @@ Scene screen_and_quad() {
 TEST(Case1, a_box_that_slides_through_the_near_plane_loses_nothing) {
     constexpr float kNear = 1;
     Stage stage(screen_and_quad(), 64, 48);
-    const apps::KdTree tree = apps_test::two_leaves(stage.scene);
+    const apps::Tree tree = apps_test::two_leaves(stage.scene);
     int visible = 0;
     for (int step = 0; step <= 1024; ++step) {
         // The near plane goes from 0.44 m before the box to 0.56 m into it; the eye is off axis by a little.

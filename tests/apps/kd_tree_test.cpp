@@ -12,32 +12,32 @@
 namespace {
 
 using apps::Box;
-using apps::KdNode;
-using apps::KdTree;
+using apps::Node;
 using apps::NodeId;
 using apps::ObjectId;
 using apps::Scene;
+using apps::Tree;
 
 struct CityTree : testing::Test {
     CityTree() {
         const Scene raw = apps::build_chc_city(0.03, 5);
-        tree = apps::build_kd_tree(raw, apps::paper_leaf_count(raw.triangle_count()));
+        tree = apps::build_kd_tree(raw, apps::leaf_count(*apps::find_scene("chc-city"), raw));
         city = apps::in_leaf_order(raw, tree);
     }
 
     Scene city;
-    KdTree tree;
+    Tree tree;
 };
 
 TEST(KdTree, has_the_nodes_of_the_paper_for_the_city_of_the_paper) {
     const Scene city = apps::build_chc_city(1, 1);
-    const KdTree tree = apps::build_kd_tree(city, apps::paper_leaf_count(city.triangle_count()));
+    const Tree tree = apps::build_kd_tree(city, apps::leaf_count(*apps::find_scene("chc-city"), city));
     EXPECT_EQ(tree.nodes.size(), 33'195U);  // CHC paper, table 1
     EXPECT_EQ(tree.leaf_count(), 16'598U);
 }
 
 TEST(KdTree, of_an_empty_scene_is_one_leaf) {
-    const KdTree tree = apps::build_kd_tree({}, 100);
+    const Tree tree = apps::build_kd_tree({}, 100);
     ASSERT_EQ(tree.nodes.size(), 1U);
     EXPECT_TRUE(tree.nodes[0].is_leaf);
     EXPECT_TRUE(tree.nodes[0].box.is_empty());
@@ -73,7 +73,7 @@ TEST_F(CityTree, keeps_children_inside_their_parents_and_on_their_sides_of_the_p
     std::vector<int> times_reached(tree.nodes.size(), 0);
     times_reached[0] = 1;
     for (NodeId id = 0; id < tree.nodes.size(); ++id) {
-        const KdNode& node = tree.nodes[id];
+        const Node& node = tree.nodes[id];
         if (node.is_leaf) continue;
         const Box& low = tree.nodes[id + 1].box;
         const Box& high = tree.nodes[node.upper].box;
@@ -88,7 +88,7 @@ TEST_F(CityTree, keeps_children_inside_their_parents_and_on_their_sides_of_the_p
 }
 
 TEST_F(CityTree, has_leaf_boxes_no_larger_than_what_they_hold) {
-    for (const KdNode& node : tree.nodes) {
+    for (const Node& node : tree.nodes) {
         if (!node.is_leaf) continue;
         Box all;
         for (const ObjectId id : tree.objects_of(node)) all.add(city.objects[id].box);
@@ -98,9 +98,9 @@ TEST_F(CityTree, has_leaf_boxes_no_larger_than_what_they_hold) {
 
 TEST_F(CityTree, is_the_same_for_the_same_scene) {
     const Scene raw = apps::build_chc_city(0.03, 5);
-    KdTree again = apps::build_kd_tree(raw, apps::paper_leaf_count(raw.triangle_count()));
+    Tree again = apps::build_kd_tree(raw, apps::leaf_count(*apps::find_scene("chc-city"), raw));
     EXPECT_EQ(hash_of(apps::in_leaf_order(raw, again)), hash_of(city));
-    EXPECT_EQ(again.leaf_objects, tree.leaf_objects);
+    EXPECT_EQ(again.objects, tree.objects);
 }
 
 /// Keeps every call.
@@ -108,18 +108,16 @@ struct Recorder final : apps::Canvas {
     void draw(std::span<const ObjectId> objects) override {
         drawn.insert(drawn.end(), objects.begin(), objects.end());
     }
-    bool is_visible(const Box&) override { return true; }
     std::vector<ObjectId> drawn;
 };
 
 TEST_F(CityTree, lets_an_object_that_straddles_leaves_be_drawn_once) {
-    ASSERT_GT(tree.leaf_objects.size(), city.objects.size())
-        << "nothing straddles: the test would prove nothing";
+    ASSERT_GT(tree.objects.size(), city.objects.size()) << "nothing straddles: the test would prove nothing";
     const apps::View view({{72, 72, 900}, glm::normalize(glm::vec3(0.01F, 0, -1)), {60, 0.3F, 5000}}, 640,
                           480);
     Recorder recorder;
     apps::Frame frame(0, city, tree, view, recorder);
-    apps::make_frustum({})->draw(frame);
+    apps::make_culler("frustum")->draw(frame);
     std::sort(recorder.drawn.begin(), recorder.drawn.end());
     EXPECT_EQ(std::adjacent_find(recorder.drawn.begin(), recorder.drawn.end()), recorder.drawn.end());
     EXPECT_EQ(recorder.drawn.size(), city.objects.size()) << "the whole city is in view";

@@ -4,7 +4,7 @@
 #include "gl_fixture.h"
 
 #include "apps/culling/culler.h"
-#include "apps/scene/scenes.h"
+#include "apps/hierarchy/world.h"
 
 namespace {
 
@@ -12,19 +12,18 @@ using apps_test::Stage;
 
 TEST(City, has_the_shares_of_the_paper_in_the_frustum_and_in_view) {
     constexpr int kFrames = 30;
-    const apps::Scene raw = apps::build_chc_city(1, 1);
-    apps::KdTree tree = apps::build_kd_tree(raw, apps::paper_leaf_count(raw.triangle_count()));
-    Stage stage(apps::in_leaf_order(raw, tree), 640, 480);
+    const auto [scene, tree] = apps::make_world("chc-city", 1, 1);
+    Stage stage(scene, 640, 480);
     double frustum = 0;
     double drawn = 0;
     for (int index = 0; index < kFrames; ++index) {
         const apps::View view(stage.scene.path.frame(index, kFrames), 640, 480);
         stage.start(view);
         apps::Frame all(index, stage.scene, tree, view, stage.canvas);
-        apps::make_frustum({})->draw(all);
+        apps::make_culler("frustum")->draw(all);
         stage.start(view);
         apps::Frame seen(index, stage.scene, tree, view, stage.canvas);
-        apps::make_stop_and_wait({{"proxy_growth", apps::kSafeGrowthPixels}})->draw(seen);
+        apps::make_culler("stop-and-wait")->draw(seen);
         frustum += static_cast<double>(apps::triangles_of(stage.scene, all.drawn));
         drawn += static_cast<double>(apps::triangles_of(stage.scene, seen.drawn));
     }
