@@ -18,9 +18,8 @@ std::vector<Json> frame_lines(const std::vector<FrameRecord>& frames) {
         if (std::any_of(frames.begin(), frames.end(),
                         [&](const FrameRecord& frame) { return frame.tally.has(*statistic); }))
             counted.push_back(statistic);
-    for (std::size_t index = 0; index < frames.size(); ++index) {
-        const FrameRecord& f = frames[index];
-        Json line{{"frame", index},
+    for (const FrameRecord& f : frames) {
+        Json line{{"frame", f.index},
                   {"drawn_triangles", f.drawn_triangles},
                   {"drawn_objects", f.drawn.size()},
                   {"frustum_triangles", f.frustum_triangles},

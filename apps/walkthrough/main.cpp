@@ -44,9 +44,11 @@ int run(const apps::Options& options) {
     std::vector<double> baseline;
     if (!options.baseline.empty()) {
         baseline = apps::read_baseline(options.baseline);
-        if (baseline.size() != static_cast<std::size_t>(options.frames))
+        const auto frame_count = static_cast<std::size_t>(
+            options.sections == 0 ? options.frames : options.sections * options.section_frames);
+        if (baseline.size() != frame_count)
             throw apps::BadUse(fmt::format("the baseline {} has {} frames and this walk {}", options.baseline,
-                                           baseline.size(), options.frames));
+                                           baseline.size(), frame_count));
     }
     const apps::World world = apps::build_world(options);
     apps::Walk walk(world, options);

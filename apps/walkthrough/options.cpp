@@ -40,6 +40,16 @@ void read_size(const std::string& text, Options& options) {
         throw BadUse(fmt::format("--size is from 1x1 to 8192x8192 pixels, not \"{}\"", text));
 }
 
+void read_sections(const std::string& text, Options& options) {
+    const std::size_t x = text.find('x');
+    if (x == std::string::npos) throw BadUse(fmt::format("--sections is COUNTxFRAMES, not \"{}\"", text));
+    options.sections = number_of<int>(text.substr(0, x), "the count of --sections");
+    options.section_frames = number_of<int>(text.substr(x + 1), "the frames of --sections");
+    if (options.sections < 1 || options.section_frames < 1 ||
+        static_cast<long long>(options.sections) * options.section_frames > options.frames)
+        throw BadUse(fmt::format("--sections {} is not a part of {} frames", text, options.frames));
+}
+
 template <class List>
 std::string names_of(const List& list) {
     std::vector<std::string_view> names;
@@ -113,6 +123,7 @@ void check(const Options& options) {
 Options parse_options(int argc, const char* const* argv) {
     Options options;
     std::string size;
+    std::string sections;
     double work_us = 0;
     std::vector<std::string> settings;
     std::vector<std::string> labels;
@@ -126,6 +137,9 @@ Options parse_options(int argc, const char* const* argv) {
         ->capture_default_str();
     app.add_option("--size", size, "WIDTHxHEIGHT in pixels; 640x480 unless given");
     app.add_option("--frames", options.frames, "frames over the whole path")->capture_default_str();
+    app.add_option(
+        "--sections", sections,
+        "COUNTxFRAMES: walk only so many parts of the path, of so many frames each, evenly spread");
     app.add_option("--work-us", work_us,
                    "the program's own work in a frame, microseconds on a device's clock (GL_EMU_device_time)")
         ->capture_default_str();
@@ -164,6 +178,7 @@ Options parse_options(int argc, const char* const* argv) {
     }
     if (options.list) return options;
     if (!size.empty()) read_size(size, options);
+    if (!sections.empty()) read_sections(sections, options);
     read_work(work_us, options);
     const CullerRecipe* culler = find_culler(options.culler);
     if (!culler)

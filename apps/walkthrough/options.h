@@ -23,6 +23,8 @@ struct Options {
     int width = 640;
     int height = 480;
     int frames = 120;
+    int sections = 0;  // of the path, spread over it, that are walked; 0: all of it
+    int section_frames = 0;
     std::chrono::nanoseconds work{0};  // of the program's own in a frame, on a device's clock
     double scale = 1;
     std::uint64_t seed = 1;

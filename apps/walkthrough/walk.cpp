@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 
@@ -32,6 +33,29 @@ std::uint64_t frustum_triangles(const World& world, const View& view) {
     for (ObjectId id = 0; id < is_inside.size(); ++id)
         if (is_inside[id]) sum += world.scene.objects[id].triangle_count();
     return sum;
+}
+
+struct Step {
+    int index;  // frame of the path
+    bool is_reported;
+};
+
+/// The whole path; or its sections, evenly spread, each entered by frames that are not reported: a culler
+/// that remembers goes into them as if it had walked there.
+std::vector<Step> steps_of(const Options& options) {
+    constexpr int kLeadIn = 3;
+    std::vector<Step> steps;
+    if (options.sections == 0)
+        for (int index = 0; index < options.frames; ++index) steps.push_back({index, true});
+    for (int section = 0; section < options.sections; ++section) {
+        const auto middle = static_cast<int>((2LL * section + 1) * options.frames / (2LL * options.sections));
+        const int first =
+            std::clamp(middle - options.section_frames / 2, 0, options.frames - options.section_frames);
+        for (int index = std::max(0, first - kLeadIn); index < first; ++index)
+            steps.push_back({index, false});
+        for (int k = 0; k < options.section_frames; ++k) steps.push_back({first + k, true});
+    }
+    return steps;
 }
 
 /// Throws BadUse where the machine has not what the culler needs.
@@ -120,6 +144,7 @@ FrameRecord Walk::draw(int index) {
     culler_->settle(frame);
 
     FrameRecord record;
+    record.index = index;
     record.frame_ms = std::chrono::duration<double, std::milli>(end - start).count();
     record.counters = canvas.counters();
     record.drawn_triangles = triangles_of(world_.scene, frame.drawn);
@@ -130,27 +155,32 @@ FrameRecord Walk::draw(int index) {
 }
 
 std::vector<FrameRecord> Walk::run() {
+    const std::vector<Step> steps = steps_of(options_);
+    const auto count = static_cast<int>(steps.size());
     {
-        ProgressBar bar("preparing", options_.frames);
-        for (int index = 0; index < options_.frames; ++index, bar.step()) {
-            const View v = view(index);
+        ProgressBar bar("preparing", count);
+        for (const Step& step : steps) {
+            const View v = view(step.index);
             renderer_->set_matrices(v.modelview, v.projection, v.width, v.height);
             renderer_->clear(kSky);
             GlCanvas canvas(*renderer_, machine_);
-            Frame frame(index, world_.scene, world_.tree, v, canvas);
+            Frame frame(step.index, world_.scene, world_.tree, v, canvas);
             culler_->prepare(frame);
+            bar.step();
         }
-        draw(0);
+        draw(steps.front().index);
         culler_->restart();
         platform_->swap_buffers();
         device_clock_.lap_ms();
     }
     std::vector<FrameRecord> frames;
-    ProgressBar bar("walking", options_.frames);
-    for (int index = 0; index < options_.frames; ++index, bar.step()) {
-        frames.push_back(draw(index));
+    ProgressBar bar("walking", count);
+    for (const Step& step : steps) {
+        FrameRecord record = draw(step.index);
         platform_->swap_buffers();
-        frames.back().device_ms = device_clock_.lap_ms();
+        record.device_ms = device_clock_.lap_ms();
+        if (step.is_reported) frames.push_back(std::move(record));
+        bar.step();
     }
     if (options_.oracle) judge(frames);
     return frames;
@@ -158,20 +188,20 @@ std::vector<FrameRecord> Walk::run() {
 
 void Walk::judge(std::vector<FrameRecord>& frames) {
     Oracle oracle(*renderer_, world_.scene);
-    const std::string key =
-        fmt::format("{:x} {} {}x{} {} {}", hash_of(world_.scene), frames.size(), options_.width,
-                    options_.height, platform_->renderer(), platform_->version());
+    const std::string key = fmt::format("{:x} {} {}x{} {}x{} {} {}", hash_of(world_.scene), options_.frames,
+                                        options_.sections, options_.section_frames, options_.width,
+                                        options_.height, platform_->renderer(), platform_->version());
     OracleCache cache(options_.oracle_cache, hash_bytes(std::as_bytes(std::span(key))), frames.size());
-    ProgressBar bar("judging", options_.frames);
-    for (std::size_t index = 0; index < frames.size(); ++index, bar.step()) {
-        if (index % static_cast<std::size_t>(options_.judge_every) != 0) continue;
-        const View v = view(static_cast<int>(index));
-        std::optional<Truth> truth = cache.find(index);
+    ProgressBar bar("judging", static_cast<int>(frames.size()));
+    for (std::size_t at = 0; at < frames.size(); ++at, bar.step()) {
+        if (at % static_cast<std::size_t>(options_.judge_every) != 0) continue;
+        const View v = view(frames[at].index);
+        std::optional<Truth> truth = cache.find(at);
         if (!truth) {
             truth = oracle.look(v);
-            cache.keep(index, *truth);
+            cache.keep(at, *truth);
         }
-        frames[index].verdict = oracle.judge(v, *truth, frames[index].drawn);
+        frames[at].verdict = oracle.judge(v, *truth, frames[at].drawn);
     }
     if (!options_.oracle_cache.empty()) cache.save();
 }
@@ -202,6 +232,7 @@ nlohmann::ordered_json Walk::facts() const {
         {"size", fmt::format("{}x{}", options_.width, options_.height)},
         {"scale", options_.scale},
         {"seed", options_.seed},
+        {"path_frames", options_.frames},
         {"mesa", mesa == std::string::npos ? nlohmann::ordered_json(nullptr)
                                            : nlohmann::ordered_json(version.substr(mesa + 5))},
         {"cpu", cpu_name()},
