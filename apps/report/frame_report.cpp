@@ -20,6 +20,7 @@ std::vector<Json> frame_lines(const std::vector<FrameRecord>& frames) {
             counted.push_back(statistic);
     for (const FrameRecord& f : frames) {
         Json line{{"frame", f.index},
+                  {"swap", f.swap},
                   {"drawn_triangles", f.drawn_triangles},
                   {"drawn_objects", f.drawn.size()},
                   {"frustum_triangles", f.frustum_triangles},
@@ -65,7 +66,7 @@ std::vector<double> read_baseline(const std::filesystem::path& file) {
 Json summary_of(const std::vector<Json>& lines, const std::vector<double>& baseline, const Json& run) {
     Json summary = Json::object();
     for (const auto& [key, first] : lines.front().items()) {
-        if (key == "frame") continue;
+        if (key == "frame" || key == "swap") continue;
         double sum = 0;
         double count = 0;
         for (const Json& line : lines) {

@@ -17,6 +17,7 @@ namespace apps {
 
 struct FrameRecord {
     int index = 0;  // of the path
+    int swap = 0;   // swaps before it: what a monitor under GL calls the frame
     std::vector<ObjectId> drawn;
     std::uint64_t drawn_triangles = 0;
     std::uint64_t frustum_triangles = 0;  // that view-frustum culling over the same tree would draw

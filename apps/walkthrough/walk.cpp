@@ -175,8 +175,10 @@ std::vector<FrameRecord> Walk::run() {
     }
     std::vector<FrameRecord> frames;
     ProgressBar bar("walking", count);
+    int swaps = 1;  // the warming up's
     for (const Step& step : steps) {
         FrameRecord record = draw(step.index);
+        record.swap = swaps++;
         platform_->swap_buffers();
         record.device_ms = device_clock_.lap_ms();
         if (step.is_reported) frames.push_back(std::move(record));

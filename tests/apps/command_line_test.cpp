@@ -93,10 +93,10 @@ TEST_F(Walkthrough, reports_a_line_a_frame_and_their_means) {
     const std::vector<Json> all = lines(report);
     ASSERT_EQ(all.size(), 4U);
     const std::vector<std::string> fields = {
-        "frame",        "drawn_triangles", "drawn_objects",   "frustum_triangles", "queries",
-        "query_boxes",  "polls",           "results_waited",  "pixels_read",       "region_waits",
-        "tiles_tested", "stall_ms",        "frame_ms",        "device_ms",         "visible_objects",
-        "false_culls",  "wrong_pixels",    "contested_pixels"};
+        "frame",           "swap",         "drawn_triangles", "drawn_objects",   "frustum_triangles",
+        "queries",         "query_boxes",  "polls",           "results_waited",  "pixels_read",
+        "region_waits",    "tiles_tested", "stall_ms",        "frame_ms",        "device_ms",
+        "visible_objects", "false_culls",  "wrong_pixels",    "contested_pixels"};
     const Json& summary = all.back().at("summary");
     for (std::size_t frame = 0; frame < 3; ++frame) {
         EXPECT_EQ(all[frame].size(), fields.size());
