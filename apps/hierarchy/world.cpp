@@ -2,13 +2,14 @@
 // Builds a world.
 #include "apps/hierarchy/world.h"
 
+#include "apps/hierarchy/bvh.h"
 #include "apps/hierarchy/kd_tree.h"
 
 namespace apps {
 
-World make_world(const Scene& scene, TreeKind, std::size_t leaves) {
+World make_world(const Scene& scene, TreeKind kind, std::size_t leaves) {
     World world;
-    world.tree = build_kd_tree(scene, leaves);
+    world.tree = kind == TreeKind::kBvh ? build_bvh(scene, {.leaves = leaves}) : build_kd_tree(scene, leaves);
     world.scene = in_leaf_order(scene, world.tree);
     return world;
 }

@@ -20,6 +20,7 @@ KINDS = (
     ("cli", r"(CLI|fmt|nlohmann)/"),
     ("image", r"png\.h"),
     ("model", r"(assimp/|meshoptimizer\.h)"),
+    ("threads", r"tbb/"),
     ("test", r"(gtest|gmock|benchmark|rapidcheck)/|rapidcheck\.h"),
     ("window", r"(SDL2|GLFW)/"),
     ("std", r"[a-z_0-9]+$"),
@@ -30,7 +31,7 @@ KINDS = (
 )  # fmt: skip
 
 LAYER = {"std", "system", "khronos", "x11"}
-CLIENT = {"std", "system", "glm", "cli", "image", "model"}
+CLIENT = {"std", "system", "glm", "cli", "image", "model", "threads"}
 
 # folder -> (folders that it may include beside itself, kinds of outside headers)
 FLOORS = {
