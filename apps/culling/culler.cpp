@@ -18,7 +18,7 @@ void Frame::draw(std::span<const ObjectId> objects) {
     canvas.draw(batch_);
 }
 
-extern const CullerRecipe kNone, kFrustum, kStopAndWait, kIdeal;
+extern const CullerRecipe kNone, kFrustum, kStopAndWait, kIdeal, kChc;
 
 std::span<const CullerRecipe* const> cullers() {
     static constexpr const CullerRecipe* kCullers[] = {
@@ -26,6 +26,7 @@ std::span<const CullerRecipe* const> cullers() {
         &kFrustum,
         &kStopAndWait,
         &kIdeal,
+        &kChc,
     };
     return kCullers;
 }
