@@ -4,6 +4,7 @@ import argparse
 import os
 import shlex
 import sys
+from html import unescape
 from pathlib import Path
 
 from .machine import describe
@@ -15,6 +16,9 @@ ROOT = Path(__file__).resolve().parents[2]
 QUICK = {"frames": 8, "scale": 0.15, "latencies": [0, 50], "rounds": 1}
 FULL = {"frames": 40, "scale": 1.0, "latencies": [0, 5, 50, 200], "rounds": 3}
 SIZE = "640x480"
+PAPERS = ("log", "chc", "growth", "all")
+PAPER_TITLES = {"log": "The Lazy Occlusion Grid beside its paper", "chc": "Coherent Hierarchical Culling beside its paper",
+                "growth": "What hidden triangles cost", "all": "Two papers on occlusion culling, and what grows"}
 # Where on the path the pictures are drawn: above the roofs, along a street.
 PICTURE_AT = 0.55
 # Mesa's llvmpipe starts at most 16 threads. With none, a query has no thread to wake: small ones cost less.
@@ -59,12 +63,18 @@ def parse_options(arguments):
     parser.add_argument("--latencies", type=latency_list, metavar="A,B,..")
     parser.add_argument("--rounds", type=positive_integer)
     parser.add_argument("--out", type=Path)
+    parser.add_argument("--paper", choices=PAPERS)
+    parser.add_argument("--no-papers", action="store_true")
     parser.add_argument("--threads", type=thread_count, default=THREADS)
     parser.add_argument("--programs", type=Path, default=ROOT / "build/release/bin", help=argparse.SUPPRESS)
     parser.add_argument("--here", type=Path, default=Path.cwd(), help=argparse.SUPPRESS)
     parser.add_argument("--only-check-options", action="store_true", help=argparse.SUPPRESS)
     options = parser.parse_args(arguments)
+    if options.paper and options.quick:
+        parser.error("--paper takes the paper's own scenes and walks: --quick does not go with it")
     for name, value in (QUICK if options.quick else FULL).items():
+        if options.paper and getattr(options, name) is not None:
+            parser.error(f"--paper takes the paper's own scenes and walks: --{name} does not go with it")
         if getattr(options, name) is None:
             setattr(options, name, value)
     options.out = options.here / options.out if options.out else ROOT / "report"
@@ -84,6 +94,7 @@ def command_line(options):
     words = ["./evaluate", "--frames", str(options.frames), "--scale", f"{options.scale:g}"]
     words += ["--latencies", ",".join(f"{latency:g}" for latency in options.latencies)]
     words += ["--rounds", str(options.rounds), "--threads", str(options.threads)]
+    words += ["--no-papers"] if options.no_papers else []
     return shlex.join(words)
 
 
@@ -100,6 +111,8 @@ def main(arguments):
 
     load_before = os.getloadavg()[0]
     options.out.mkdir(parents=True, exist_ok=True)
+    if options.paper:
+        return evaluate_papers(options, load_before)
     settings = Settings(
         programs=options.programs, out=options.out.resolve(), frames=options.frames, scale=options.scale,
         rounds=options.rounds, size=SIZE, environment=environment_of(options),
@@ -111,10 +124,15 @@ def main(arguments):
     device_measured, more_failures = measure_device_time(device_matrix, settings, image_frame, progress)
     failures += more_failures
     progress.close()
+    sections = []
+    if not options.quick and not options.no_papers:
+        sections, more_failures = paper_sections(options, ("log", "chc", "growth"), is_full=False)
+        failures += more_failures
 
     rows = build_rows(measured)
     device_rows = build_device_rows(device_measured)
     checks = run_checks(measured) + run_device_checks(device_measured, measured)
+    checks += [check for section in sections for check in section.checks]
     write_csv(rows, settings.out / "table.csv")
     write_csv(device_rows, settings.out / "device_time.csv", DeviceRow)
     summary = next((value.judged.summary for value in measured.values() if value.judged), {})
@@ -123,9 +141,52 @@ def main(arguments):
         checks=checks, failures=failures,
         machine=describe(ROOT, options.threads, summary, SIZE, load_before), settings=settings,
         image_frame=image_frame, scene_triangles=summary.get("scene_triangles", 0),
-        quick=options.quick, command=command_line(options),
+        quick=options.quick, command=command_line(options), sections=sections,
     )  # fmt: skip
     return report(rows, device_rows, checks, failures, settings.out / "index.html")
+
+
+def paper_sections(options, names, is_full):
+    """The papers' experiments: a section each, and the failures as sentences."""
+    from .jobs import Jobs
+    from .papers import chc, growth, log
+    from .papers.common import FULL as ALL
+    from .papers.common import SMALL
+    from .papers.page import write_rows
+
+    extent = ALL if is_full else SMALL
+    modules = {"log": log, "chc": chc, "growth": growth}
+    jobs = Jobs(options.programs, options.out / "jobs", environment_of(options), os.cpu_count())
+    wanted = [job for name in names for job in modules[name].jobs(extent)]
+    results, failures = jobs.run(wanted)
+    sections = [modules[name].section(results, extent) for name in names]
+    for name, section in zip(names, sections):
+        write_rows(options.out / f"{name}.csv", section.rows)
+    return sections, failures
+
+
+def evaluate_papers(options, load_before):
+    """--paper: the paper's tables at the paper's scale; a run that was broken off goes on where it was."""
+    from .papers.page import write_paper_page
+
+    names = ("log", "chc", "growth") if options.paper == "all" else (options.paper,)
+    sections, failures = paper_sections(options, names, is_full=True)
+    page = options.out / f"{options.paper}.html"
+    write_paper_page(
+        page, PAPER_TITLES[options.paper], sections, failures,
+        describe(ROOT, options.threads, {}, "as the tables say", load_before),
+        f"./evaluate --paper {options.paper}", [f"{name}.csv" for name in names],
+    )  # fmt: skip
+    goals = [goal for section in sections for goal in section.goals]
+    checks = [check for section in sections for check in section.checks]
+    for goal in goals:
+        print(f"{'reached ' if goal.is_met else 'NOT MET '} {goal.sentence}: {unescape(goal.measured)} (wanted {unescape(goal.wanted)})")
+    broken = [check for check in checks if not check.holds]
+    for check in broken:
+        print(f"DOES NOT HOLD: {check.sentence}: {'; '.join(check.faults[:3]) or 'nothing was looked at'}")
+    print(f"{len(checks) - len(broken)} of {len(checks)} checks hold, {sum(goal.is_met for goal in goals)} of {len(goals)} "
+          f"goals are reached; the report: {page}")  # fmt: skip
+    return 1 if broken or failures else 0
 
 
 def report(rows, device_rows, checks, failures, page):

@@ -9,6 +9,7 @@ from string import Template
 
 from . import plots, tables, timeline_picture
 from .matrix import BASELINE, BOUND, DEVICE_TITLES, QUERYING, TIMED_DEVICE, build_device_matrix
+from .papers.page import html_of
 from .rows import break_even_us, query_budget_us, row_with
 from .runs import PICTURES, WARM_UP_FRAMES, timeline_file
 
@@ -63,10 +64,6 @@ def pays_below(rows, device):
             f"late may a result be on {device}, the largest latency measured: {costs}",
         )
     return "?", f"{device}: the latencies measured do not bracket the answer"
-
-
-def definitions(pairs):
-    return "\n".join(f"<dt>{escape(name)}</dt><dd>{escape(str(value))}</dd>" for name, value in pairs)
 
 
 def pictures(folder, frame):
@@ -124,19 +121,6 @@ def banner(failures, quick):
     return "\n".join(parts)
 
 
-def check_list(checks):
-    lines = []
-    for check in checks:
-        faults = "".join(f"<br>{escape(fault)}" for fault in check.faults[:10])
-        more = f"<br>and {len(check.faults) - 10} more" if len(check.faults) > 10 else ""
-        kind = "" if check.holds else ' class="broken"'
-        lines.append(
-            f"<li{kind}>{escape(check.sentence)} <small>({escape(check.looked_at)})</small>"
-            f"{faults}{more}</li>"
-        )
-    return "\n".join(lines)
-
-
 PATH_CAPTION = """Above: the time of every frame, on a logarithmic scale. Where the grey line (frustum culling)
 lies above an orange one, asking paid. Below: the triangles drawn. The gap between grey and green is what queries
 can save at most; the gap between orange and green above is what asking and waiting cost."""
@@ -148,8 +132,9 @@ results change no pixel and no count: only this time."""
 
 def write_page(
     path, *, measured, rows, device_rows, checks, failures, machine, settings, image_frame, scene_triangles,
-    quick, command,
+    quick, command, sections,
 ):
+
     devices = list(dict.fromkeys(configuration.device for configuration in measured))
     example = next((v.timed[0] for c, v in measured.items() if v.timed and c.queries and c.latency_us), None)
     facts = dict(machine)
@@ -162,7 +147,7 @@ def write_page(
             f'<div class="card"><strong>{escape(figure)}</strong><span>{escape(text)}</span></div>'
             for figure, text in cards(rows, checks)
         ),
-        "devices": definitions((device, DEVICE_TITLES.get(device, "")) for device in devices),
+        "devices": tables.definitions((device, DEVICE_TITLES.get(device, "")) for device in devices),
         "pictures": pictures(settings.out / "pictures", image_frame),
         "frames": settings.frames,
         "rounds": f"of each frame the median of {settings.rounds} runs taken in turn"
@@ -181,9 +166,10 @@ def write_page(
         "selectivity_table": tables.selectivity_table(rows, devices[-1], scene_triangles),
         "driver": escape(facts["Driver"]),
         "processor": escape(facts["Processor"]),
-        "checks": check_list(checks),
+        "papers": "\n".join(html_of(section) for section in sections),
+        "checks": tables.check_list(checks),
         "noise_table": tables.noise_table(rows),
-        "machine": definitions(machine),
+        "machine": tables.definitions(machine),
         "repeat": escape(command),
         "one_run": escape(shlex.join(example.command)) if example else "no run succeeded",
         "when": datetime.now(timezone.utc).strftime("%d %B %Y, %H:%M UTC"),

@@ -167,3 +167,20 @@ def noise_table(rows):
             + "</tr>"
         )
     return "\n".join(lines)
+
+
+def definitions(pairs):
+    return "\n".join(f"<dt>{escape(name)}</dt><dd>{escape(str(value))}</dd>" for name, value in pairs)
+
+
+def check_list(checks):
+    lines = []
+    for check in checks:
+        faults = "".join(f"<br>{escape(fault)}" for fault in check.faults[:10])
+        more = f"<br>and {len(check.faults) - 10} more" if len(check.faults) > 10 else ""
+        kind = "" if check.holds else ' class="broken"'
+        lines.append(
+            f"<li{kind}>{escape(check.sentence)} <small>({escape(check.looked_at)})</small>"
+            f"{faults}{more}</li>"
+        )
+    return "\n".join(lines)

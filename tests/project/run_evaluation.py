@@ -14,7 +14,7 @@ from pathlib import Path
 from tree import ROOT
 
 BUILD = None
-TINY = ("--frames", "2", "--scale", "0.02", "--rounds", "1", "--latencies", "0,20")
+TINY = ("--no-papers", "--frames", "2", "--scale", "0.02", "--rounds", "1", "--latencies", "0,20")
 
 # In place of the walkthrough, beside the real launcher: breaks one culler, or lies about false culls.
 CRASHES = """#!/bin/sh
