@@ -134,7 +134,7 @@ def relations(results, extent):
         surplus = coherent.mean("drawn_triangles") / waiting.mean("drawn_triangles") - 1
         their_surplus = theirs["chc"].triangles / theirs["stop-and-wait"].triangles - 1
         query_us = None
-        if ideal and waiting_here:
+        if ideal and waiting_here and waiting_here.mean("queries"):
             query_us = 1000 * (waiting_here.mean("frame_ms") - ideal.mean("frame_ms")) / waiting_here.mean("queries")
         shares = (("frustum_triangles", waiting.mean("frustum_triangles") / waiting.summary["scene_triangles"]),
                   ("drawn", waiting.mean("drawn_triangles") / waiting.mean("frustum_triangles")))  # fmt: skip
