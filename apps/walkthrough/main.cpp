@@ -50,7 +50,7 @@ int run(const apps::Options& options) {
             throw apps::BadUse(fmt::format("the baseline {} has {} frames and this walk {}", options.baseline,
                                            baseline.size(), frame_count));
     }
-    const apps::World world = apps::build_world(options);
+    apps::World world = apps::build_world(options);
     apps::Walk walk(world, options);
     const std::vector<FrameRecord> frames = walk.run();
 

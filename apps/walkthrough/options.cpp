@@ -100,6 +100,10 @@ void check(const Options& options) {
             fmt::format("--image-frame is from 0 to {}, not {}", options.frames - 1, options.image_frame));
     check_choice("--platform", options.platform, {"egl", "glx", "osmesa"});
     check_choice("--tree", options.tree, {"kd", "bvh"});
+    if (!(options.moving >= 0 && options.moving <= 1))
+        throw BadUse(fmt::format("--moving is from 0 to 1, not {}", options.moving));
+    if (options.moving > 0 && options.tree == "kd")
+        throw BadUse("--moving needs a tree that can be refitted: --tree bvh, not kd");
     check_choice("--test", options.test,
                  {"GL_ARB_occlusion_query", "GL_NV_occlusion_query", "GL_HP_occlusion_test"});
     check_choice("--regions", options.regions, {"GL_EMU_depth_region_query", "glReadPixels"});
@@ -146,6 +150,9 @@ Options parse_options(int argc, const char* const* argv) {
     app.add_option("--scale", options.scale, "share of a generated scene's triangles")->capture_default_str();
     app.add_option("--seed", options.seed, "of a generated scene")->capture_default_str();
     app.add_option("--tree", options.tree, "kd or bvh; that of the scene's paper unless given");
+    app.add_option("--moving", options.moving,
+                   "share of the small objects, 0 to 1, that move about; the tree is then a bvh")
+        ->capture_default_str();
     app.add_option("--leaf-triangles", options.leaf_triangles, "mean of a leaf in the tree of a model file")
         ->capture_default_str();
     app.add_option("--test", options.test,

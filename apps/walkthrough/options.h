@@ -28,6 +28,7 @@ struct Options {
     std::chrono::nanoseconds work{0};  // of the program's own in a frame, on a device's clock
     double scale = 1;
     std::uint64_t seed = 1;
+    double moving = 0;                // share of the small objects, 0..1
     std::string tree;                 // "kd", "bvh", or empty for the scene's own
     std::size_t leaf_triangles = 64;  // mean, of a model file's tree
     std::string test;                 // the extension to ask by; empty: the first that the machine has

@@ -20,6 +20,9 @@ namespace {
 
 const glm::vec4 kSky{0.62F, 0.76F, 0.90F, 1};
 
+const Statistic kMotionMicroseconds{"motion_us",
+                                    "microseconds in which moving objects were placed and the tree refitted"};
+
 /// The triangles that view-frustum culling over the same tree would draw.
 std::uint64_t frustum_triangles(const World& world, const View& view) {
     std::vector<std::uint8_t> is_inside(world.scene.objects.size(), 0);
@@ -103,16 +106,16 @@ World build_world(const Options& options) {
     const SceneRecipe* recipe = find_scene(options.scene);
     const Scene scene = recipe ? recipe->build(options.scale, options.seed) : load_model(options.scene);
     const TreeKind own = recipe ? recipe->tree : TreeKind::kBvh;
-    const TreeKind kind = options.tree.empty()   ? own
-                          : options.tree == "kd" ? TreeKind::kKdTree
-                                                 : TreeKind::kBvh;
+    const TreeKind kind = options.tree == "bvh" || options.moving > 0 ? TreeKind::kBvh
+                          : options.tree == "kd"                      ? TreeKind::kKdTree
+                                                                      : own;
     const std::size_t leaves =
         recipe ? leaf_count(*recipe, scene)
                : 1 + static_cast<std::size_t>(scene.triangle_count()) / options.leaf_triangles;
     return make_world(scene, kind, leaves);
 }
 
-Walk::Walk(const World& world, const Options& options)
+Walk::Walk(World& world, const Options& options)
     : world_(world),
       options_(options),
       platform_(open_platform(options.platform, options.width, options.height)),
@@ -121,12 +124,25 @@ Walk::Walk(const World& world, const Options& options)
     machine_ = {choose_occlusion_test(*platform_, options.test), choose_conditional_render(*platform_),
                 choose_depth_regions(*platform_, options.regions), &device_clock_};
     check_needs(recipe, machine_, options, *platform_);
+    if (options.moving > 0) {
+        motion_.emplace(world.scene, options.moving, options.seed);
+        refitter_.emplace(world.tree, world.scene.objects.size());
+    }
     renderer_ = std::make_unique<Renderer>(*platform_, world.scene);
     culler_ = recipe.make(options.knobs);
 }
 
 View Walk::view(int frame) const {
     return {world_.scene.path.frame(frame, options_.frames), options_.width, options_.height};
+}
+
+void Walk::place_all(int frame) {
+    if (motion_) motion_->place(world_.scene, frame);
+}
+
+void Walk::place_and_refit(int frame) {
+    place_all(frame);
+    if (motion_) refitter_->refit(world_.tree, world_.scene, motion_->moving());
 }
 
 FrameRecord Walk::draw(int index) {
@@ -136,12 +152,19 @@ FrameRecord Walk::draw(int index) {
 
     const auto start = std::chrono::steady_clock::now();
     device_clock_.work(options_.work);
+    place_and_refit(index);
+    const auto placed = std::chrono::steady_clock::now();
     renderer_->set_matrices(v.modelview, v.projection, v.width, v.height);
     renderer_->clear(kSky);
     culler_->draw(frame);
     renderer_->finish();
     const auto end = std::chrono::steady_clock::now();
     culler_->settle(frame);
+
+    if (motion_)
+        frame.tally.add(kMotionMicroseconds,
+                        static_cast<std::uint64_t>(
+                            std::chrono::duration_cast<std::chrono::microseconds>(placed - start).count()));
 
     FrameRecord record;
     record.index = index;
@@ -161,6 +184,7 @@ std::vector<FrameRecord> Walk::run() {
         ProgressBar bar("preparing", count);
         for (const Step& step : steps) {
             const View v = view(step.index);
+            place_and_refit(step.index);
             renderer_->set_matrices(v.modelview, v.projection, v.width, v.height);
             renderer_->clear(kSky);
             GlCanvas canvas(*renderer_, machine_);
@@ -190,14 +214,17 @@ std::vector<FrameRecord> Walk::run() {
 
 void Walk::judge(std::vector<FrameRecord>& frames) {
     Oracle oracle(*renderer_, world_.scene);
-    const std::string key = fmt::format("{:x} {} {}x{} {}x{} {} {}", hash_of(world_.scene), options_.frames,
-                                        options_.sections, options_.section_frames, options_.width,
-                                        options_.height, platform_->renderer(), platform_->version());
+    place_all(0);  // the fingerprint is of the scene as it was
+    const std::string key =
+        fmt::format("{:x} {} {} {} {}x{} {}x{} {} {}", hash_of(world_.scene), options_.moving, options_.seed,
+                    options_.frames, options_.sections, options_.section_frames, options_.width,
+                    options_.height, platform_->renderer(), platform_->version());
     OracleCache cache(options_.oracle_cache, hash_bytes(std::as_bytes(std::span(key))), frames.size());
     ProgressBar bar("judging", static_cast<int>(frames.size()));
     for (std::size_t at = 0; at < frames.size(); ++at, bar.step()) {
         if (at % static_cast<std::size_t>(options_.judge_every) != 0) continue;
         const View v = view(frames[at].index);
+        place_all(frames[at].index);
         std::optional<Truth> truth = cache.find(at);
         if (!truth) {
             truth = oracle.look(v);
@@ -210,6 +237,7 @@ void Walk::judge(std::vector<FrameRecord>& frames) {
 
 void Walk::save_images() {
     const View v = view(options_.image_frame);
+    place_and_refit(options_.image_frame);
     culler_->restart();
     for (const bool is_second : {false, true}) {  // a culler that remembers shows how it is while it walks
         GlCanvas canvas(*renderer_, machine_);
@@ -247,6 +275,7 @@ nlohmann::ordered_json Walk::facts() const {
         {"scene_triangles", world_.scene.triangle_count()},
         {"scene_objects", world_.scene.objects.size()},
         {"tree_nodes", world_.tree.nodes.size()},
+        {"moving_objects", motion_ ? motion_->moving().size() : 0},
         {"knobs", options_.knobs},
     };
     for (const auto& [name, value] : options_.labels) facts[name] = value;

@@ -2,9 +2,11 @@
 // The walk itself: a scene with its tree, a context, one culler, and the frames along the path.
 #pragma once
 
+#include "apps/hierarchy/bvh.h"
 #include "apps/hierarchy/world.h"
 #include "apps/platform/device_clock.h"
 #include "apps/report/frame_report.h"
+#include "apps/scene/motion.h"
 #include "apps/walkthrough/options.h"
 
 namespace apps {
@@ -14,8 +16,8 @@ World build_world(const Options& options);
 
 class Walk {
   public:
-    /// Throws PlatformError or BadUse.
-    Walk(const World& world, const Options& options);
+    /// Throws PlatformError or BadUse. What moves by the options moves in `world`.
+    Walk(World& world, const Options& options);
 
     /// Three passes, so that nothing but the frame itself is in its time: preparation and warming up; the
     /// timed frames, each ended by glFinish and a swap; the oracle. A monitor under GL sees warming up as the
@@ -34,9 +36,13 @@ class Walk {
   private:
     FrameRecord draw(int index);
     void judge(std::vector<FrameRecord>& frames);
+    void place_all(int frame);
+    void place_and_refit(int frame);
 
-    const World& world_;
+    World& world_;
     const Options& options_;
+    std::optional<Motion> motion_;
+    std::optional<Refitter> refitter_;
     std::unique_ptr<Platform> platform_;
     DeviceClock device_clock_;
     std::unique_ptr<Renderer> renderer_;
