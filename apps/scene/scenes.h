@@ -36,4 +36,7 @@ std::size_t leaf_count(const SceneRecipe& recipe, const Scene& scene);
 inline constexpr std::uint32_t kChcCityTriangles = 1'036'146;
 Scene build_chc_city(double scale, std::uint64_t seed);
 
+inline constexpr std::uint32_t kChcTeapotsTriangles = 11'520'000;  // 5,000 teapots
+Scene build_chc_teapots(double scale, std::uint64_t seed);
+
 }  // namespace apps
