@@ -9,12 +9,14 @@ const Statistic kPullUps{"pull_ups", "interior nodes found visible by way of a c
 
 }  // namespace
 
-void Memory::start_frame(const Parts& parts) {
-    if (states_.size() != parts.size()) {
+bool Memory::start_frame(const Parts& parts) {
+    const bool is_new = states_.size() != parts.size();
+    if (is_new) {
         states_.assign(parts.size(), {});
         frame_ = 1;
     }
     ++frame_;
+    return is_new;
 }
 
 bool Memory::visit(PartId part) {

@@ -13,8 +13,8 @@ namespace apps {
 
 class Memory {
   public:
-    /// Forgets everything where the number of parts is not what it was.
-    void start_frame(const Parts& parts);
+    /// True where the number of parts is not what it was, and all is forgotten.
+    bool start_frame(const Parts& parts);
     void forget() { states_.clear(); }
     std::uint32_t frame() const { return frame_; }
 
@@ -42,6 +42,9 @@ class Memory {
 
     /// Notes the answer about a leaf: visible; asked about again when `skip` frames have passed unasked.
     void found_visible(PartId part, std::uint32_t skip);
+
+    /// The leaf is not to be asked about again before its answer has come.
+    void await_answer(PartId part) { states_[part].ask_in = ~std::uint32_t{0}; }
 
     /// False while a leaf's last answer, or the look without one, still stands.
     bool is_to_ask(PartId part) const { return states_[part].ask_in <= frame_; }

@@ -67,6 +67,10 @@ class Parts {
     const Tree& tree_;
 };
 
+/// The objects, each once, in the order in which a renderer makes fewest calls of them: those that follow one
+/// another in the scene stand together, such runs in the order of their first object here.
+std::vector<ObjectId> in_runs(std::span<const ObjectId> objects);
+
 /// Parts still to visit. Depth first: the near child of what was opened last (section 4.4's first way, and
 /// Figure 2's stack: the far child is pushed first). Else by least distance between eye and box, of equals
 /// the one pushed first (its second way, for any hierarchy).

@@ -18,7 +18,7 @@ void Frame::draw(std::span<const ObjectId> objects) {
     canvas.draw(batch_);
 }
 
-extern const CullerRecipe kNone, kFrustum, kStopAndWait, kIdeal, kChc;
+extern const CullerRecipe kNone, kFrustum, kStopAndWait, kIdeal, kChc, kChcPlus;
 
 std::span<const CullerRecipe* const> cullers() {
     static constexpr const CullerRecipe* kCullers[] = {
@@ -27,6 +27,7 @@ std::span<const CullerRecipe* const> cullers() {
         &kStopAndWait,
         &kIdeal,
         &kChc,
+        &kChcPlus,
     };
     return kCullers;
 }
