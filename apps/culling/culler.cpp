@@ -18,7 +18,8 @@ void Frame::draw(std::span<const ObjectId> objects) {
     canvas.draw(batch_);
 }
 
-extern const CullerRecipe kNone, kFrustum, kStopAndWait, kIdeal, kChc, kChcPlus;
+extern const CullerRecipe kLogState, kLogZfar, kBog, kHzb, kPq;
+extern const CullerRecipe kNone, kFrustum, kStopAndWait, kIdeal, kChc, kChcPlus, kConditional;
 
 std::span<const CullerRecipe* const> cullers() {
     static constexpr const CullerRecipe* kCullers[] = {
@@ -28,6 +29,12 @@ std::span<const CullerRecipe* const> cullers() {
         &kIdeal,
         &kChc,
         &kChcPlus,
+        &kConditional,
+        &kLogState,
+        &kLogZfar,
+        &kBog,
+        &kHzb,
+        &kPq,
     };
     return kCullers;
 }
