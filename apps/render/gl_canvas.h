@@ -29,7 +29,6 @@ struct Counters {
     std::uint64_t results_waited = 0;  // fetched before a poll had said that they were there
     std::uint64_t pixels_read = 0;     // of a depth buffer
     std::uint64_t region_waits = 0;    // of the CPU, for a depth buffer to be finished
-    std::uint64_t tiles_tested = 0;    // of a grid of occlusion
     double stall_ms = 0;               // in the blocking fetch of answers and depths, and nowhere else
 };
 

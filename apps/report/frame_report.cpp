@@ -7,6 +7,8 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "apps/culling/occlusion_grid.h"
+
 namespace apps {
 
 using Json = nlohmann::ordered_json;
@@ -30,7 +32,7 @@ std::vector<Json> frame_lines(const std::vector<FrameRecord>& frames) {
                   {"polls", f.counters.polls},
                   {"pixels_read", f.counters.pixels_read},
                   {"region_waits", f.counters.region_waits},
-                  {"tiles_tested", f.counters.tiles_tested},
+                  {"tiles_tested", f.tally.of(kTilesTested)},
                   {"stall_ms", f.counters.stall_ms},
                   {"frame_ms", f.frame_ms},
                   {"device_ms", f.device_ms ? Json(*f.device_ms) : Json(nullptr)}};
