@@ -18,7 +18,7 @@ void Frame::draw(std::span<const ObjectId> objects) {
     canvas.draw(batch_);
 }
 
-extern const CullerRecipe kLogState, kLogZfar, kBog, kHzb, kPq;
+extern const CullerRecipe kLogState, kLogZfar, kLogCoherent, kBog, kHzb, kPq;
 extern const CullerRecipe kNone, kFrustum, kStopAndWait, kIdeal, kChc, kChcPlus, kConditional;
 
 std::span<const CullerRecipe* const> cullers() {
@@ -32,6 +32,7 @@ std::span<const CullerRecipe* const> cullers() {
         &kConditional,
         &kLogState,
         &kLogZfar,
+        &kLogCoherent,
         &kBog,
         &kHzb,
         &kPq,

@@ -97,12 +97,24 @@ class ZfarGrid {
     /// before the box. Only of tiles that leave it open are depths asked for.
     bool is_occluded(Frame& frame, const ScreenBox& box);
 
+    /// The same for many boxes at once, in at most two calls: one for outdated tiles, whole, that boxes which
+    /// are open have all of or, together, as many pixels of; then one for the parts of border tiles that are
+    /// open still. 1 for each box that is occluded.
+    std::vector<std::uint8_t> are_occluded(Frame& frame, std::span<const ScreenBox> boxes);
+
     void outdate(const ScreenBox& box);
 
     const Tile& tile(std::uint32_t index) const { return tiles_[index]; }
     const TileGrid& grid() const { return grid_; }
 
   private:
+    /// True if the box shows in an internal tile or an empty one, as far as the tiles that are up to date
+    /// tell.
+    bool shows(const ScreenBox& box, const std::vector<TileGrid::Part>& parts) const;
+
+    /// Asks about whole tiles, in one call.
+    void refresh(Frame& frame, const std::vector<std::uint32_t>& tiles);
+
     int tile_pixels_;
     bool asks_together_;
     TileGrid grid_;
