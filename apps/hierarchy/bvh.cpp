@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Requirements: the same bits for any number of threads; 34 million triangles in memory of 4 GiB; single
-// objects and leaves of a thousand triangles alike. Algorithm: a range of items is cut where the surface area
-// heuristic is cheapest among 31 planes on each axis, and the items change places so that both halves are
-// ranges again. Sums of boxes and counts do not depend on the order of adding, so large ranges are summed in
-// parts; halves are divided by different threads. Which leaves are kept is decided afterwards, best first.
+// Requirements: the same bits for any number of threads; 34 million triangles in memory of 4 GiB.
+// Algorithm: a range of items is cut where the surface area heuristic is cheapest among 31 planes on each
+// axis, and the items change places so that both halves are ranges again. Sums of boxes and counts do not
+// depend on the order of adding, so large ranges are summed in parts; halves are divided by different
+// threads. Which leaves are kept is decided afterwards, best first.
 #include "apps/hierarchy/bvh.h"
 
 #include <tbb/blocked_range.h>
@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <memory>
 #include <numeric>
 #include <queue>
@@ -20,19 +21,46 @@
 namespace apps {
 namespace {
 
-/// What is divided: 32 bytes.
-struct Item {
-    Box box;
-    std::uint32_t id;
-    std::uint32_t triangles;
+using Floats [[gnu::vector_size(16)]] = float;
+using Words [[gnu::vector_size(16)]] = std::uint32_t;
+using Numbers [[gnu::vector_size(16)]] = std::int32_t;
 
-    float middle(int axis) const { return 0.5F * box.min[axis] + 0.5F * box.max[axis]; }
+/// A box in vector registers; what the fourth lanes hold has no meaning.
+struct Bounds {
+    Floats low = Floats{} + std::numeric_limits<float>::max();
+    Floats high = Floats{} - std::numeric_limits<float>::max();
+
+    void add(const Bounds& other) {
+        low = other.low < low ? other.low : low;
+        high = other.high > high ? other.high : high;
+    }
+    Box box() const { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
 };
 
-/// Minus zero becomes zero: then the least of two numbers has the same bits in either order.
-Box with_one_zero(const Box& box) {
-    return {box.min + 0.0F, box.max + 0.0F};
-}
+/// What is divided: a box, with its number and its triangles in the fourth lanes. 32 bytes.
+struct Item {
+    Bounds bounds;
+
+    Item() = default;
+    /// Minus zero becomes zero: then the least of two numbers has the same bits in either order.
+    Item(const Box& box, std::uint32_t id, std::uint32_t triangles)
+        : bounds{Floats{box.min.x, box.min.y, box.min.z, 0} + 0.0F,
+                 Floats{box.max.x, box.max.y, box.max.z, 0} + 0.0F} {
+        bounds.low[3] = std::bit_cast<float>(id);
+        bounds.high[3] = std::bit_cast<float>(triangles);
+    }
+
+    std::uint32_t id() const { return std::bit_cast<Words>(bounds.low)[3]; }
+    std::uint32_t triangles() const { return std::bit_cast<Words>(bounds.high)[3]; }
+
+    /// The fourth lane is 0: as a number it would be one that processors are slow at.
+    Floats middle() const {
+        constexpr Words kThree = {~0U, ~0U, ~0U, 0};
+        const auto first = std::bit_cast<Floats>(std::bit_cast<Words>(bounds.low) & kThree);
+        const auto second = std::bit_cast<Floats>(std::bit_cast<Words>(bounds.high) & kThree);
+        return 0.5F * first + 0.5F * second;
+    }
+};
 
 /// A node costs about as much to visit as this many triangles to draw.
 constexpr double kVisitTriangles = 4;
@@ -41,12 +69,16 @@ constexpr std::size_t kManyItems = 1 << 15;  // worth more than one thread
 constexpr std::size_t kSomeItems = 1 << 10;  // worth a task
 
 struct Bin {
-    Box box;
+    Bounds bounds;
     std::uint64_t triangles = 0;
 
     void add(const Bin& other) {
-        box.add(other.box);
+        bounds.add(other.bounds);
         triangles += other.triangles;
+    }
+    void add(const Item& item) {
+        bounds.add(item.bounds);
+        triangles += item.triangles();
     }
 };
 
@@ -83,22 +115,21 @@ Sum summed(std::span<const Item> items, Sum sum, Add&& add) {
 
 /// Of the middles of a range's boxes: on each axis, which of the bins a middle falls into.
 struct Grid {
-    glm::vec3 low{0};
-    glm::vec3 bins_per_metre{0};  // 0 where all middles are at one place
+    Floats low{};
+    Floats bins_per_metre{};  // 0 where all middles are at one place
 
-    explicit Grid(const Box& middles) {
-        if (middles.is_empty()) return;
-        low = middles.min;
+    explicit Grid(const Bounds& middles) : low(middles.low) {
         for (int axis = 0; axis < 3; ++axis) {
-            const float extent = middles.max[axis] - middles.min[axis];
+            const float extent = middles.high[axis] - middles.low[axis];
             const float scale = kBins / extent;
             if (extent > 0 && scale < std::numeric_limits<float>::max()) bins_per_metre[axis] = scale;
         }
     }
 
-    int bin(const Item& item, int axis) const {
-        const float at = (item.middle(axis) - low[axis]) * bins_per_metre[axis];
-        return at < kBins - 1 ? static_cast<int>(at) : kBins - 1;
+    Numbers bins(const Item& item) const {
+        constexpr auto kLast = static_cast<float>(kBins - 1);
+        const Floats at = (item.middle() - low) * bins_per_metre;
+        return __builtin_convertvector(at < kLast ? at : Floats{} + kLast, Numbers);
     }
 };
 
@@ -118,18 +149,18 @@ struct Cut {
 };
 
 double cost_of(const Bin& bin) {
-    return bin.box.surface_area() * (static_cast<double>(bin.triangles) + kVisitTriangles);
+    return bin.bounds.box().surface_area() * (static_cast<double>(bin.triangles) + kVisitTriangles);
 }
 
 /// What cutting lowers the expected cost by.
 double gain_of(const Bin& whole, double cost_of_parts) {
-    return whole.box.surface_area() * static_cast<double>(whole.triangles) - cost_of_parts;
+    return whole.bounds.box().surface_area() * static_cast<double>(whole.triangles) - cost_of_parts;
 }
 
 Cut best_cut(const Bin& whole, const Bins& bins, const Grid& grid) {
     Cut best;
     for (int axis = 0; axis < 3; ++axis) {
-        if (grid.bins_per_metre[axis] == 0) continue;
+        if (!(grid.bins_per_metre[axis] > 0)) continue;
         const auto& row = bins.axes[static_cast<std::size_t>(axis)];
         std::array<double, kBins> cost_above{};
         Bin above;
@@ -157,20 +188,20 @@ class Grower {
         draft->first = first;
         draft->end = end;
         const std::span<Item> items = items_.subspan(first, end - first);
-        struct Extent : Bin {
-            Box middles;
+        struct Extent {
+            Bin all;
+            Bounds middles;
             void add(const Extent& other) {
-                Bin::add(other);
+                all.add(other.all);
                 middles.add(other.middles);
             }
         };
         const Extent extent = summed(items, Extent{}, [](Extent& sum, const Item& item) {
-            sum.box.add(item.box);
-            sum.triangles += item.triangles;
-            sum.middles.add(glm::vec3(item.middle(0), item.middle(1), item.middle(2)));
+            sum.all.add(item);
+            sum.middles.add({item.middle(), item.middle()});
         });
-        draft->sum = extent;
-        const bool is_small = limits_.leaves <= 1 && extent.triangles <= limits_.leaf_triangles;
+        draft->sum = extent.all;
+        const bool is_small = limits_.leaves <= 1 && extent.all.triangles <= limits_.leaf_triangles;
         if (items.size() < 2 || is_small) return draft;
 
         const std::size_t middle = first + cut(items, *draft, Grid(extent.middles));
@@ -189,12 +220,9 @@ class Grower {
     /// Cuts a range in two, neither of them empty: the number of items that are below.
     static std::size_t cut(std::span<Item> items, Draft& draft, const Grid& grid) {
         const Bins bins = summed(items, Bins{}, [&](Bins& sum, const Item& item) {
-            for (int axis = 0; axis < 3; ++axis) {
-                Bin& bin =
-                    sum.axes[static_cast<std::size_t>(axis)][static_cast<std::size_t>(grid.bin(item, axis))];
-                bin.box.add(item.box);
-                bin.triangles += item.triangles;
-            }
+            const Numbers bin = grid.bins(item);
+            for (int axis = 0; axis < 3; ++axis)
+                sum.axes[static_cast<std::size_t>(axis)][static_cast<std::size_t>(bin[axis])].add(item);
         });
         const Cut best = best_cut(draft.sum, bins, grid);
         if (best.axis < 0) {  // all in one place: there is nothing to choose
@@ -203,7 +231,7 @@ class Grower {
         }
         draft.gain = best.gain;
         const auto above = std::partition(items.begin(), items.end(), [&](const Item& item) {
-            return grid.bin(item, best.axis) < best.bin;
+            return grid.bins(item)[best.axis] < best.bin;
         });
         return static_cast<std::size_t>(above - items.begin());
     }
@@ -248,7 +276,7 @@ std::size_t choose_leaves(Draft& root, const BvhLimits& limits) {
 NodeId lay_out(Tree& tree, const Draft& draft) {
     const auto id = static_cast<NodeId>(tree.nodes.size());
     Node& node = tree.nodes.emplace_back();
-    node.box = draft.sum.box;
+    node.box = draft.sum.bounds.box();
     node.is_leaf = draft.is_kept_whole;
     if (node.is_leaf) {
         node.first = static_cast<std::uint32_t>(draft.first);
@@ -267,22 +295,11 @@ Tree tree_of(std::vector<Item> items, const BvhLimits& limits) {
     tree.nodes.reserve(2 * choose_leaves(*root, limits) - 1);
     lay_out(tree, *root);
     tree.objects.resize(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) tree.objects[i] = items[i].id;
+    for (std::size_t i = 0; i < items.size(); ++i) tree.objects[i] = items[i].id();
     for (const Node& node : tree.nodes)
         std::sort(tree.objects.begin() + node.first, tree.objects.begin() + node.first + node.count);
     tree.link_parents();
     return tree;
-}
-
-Box fitted(const Tree& tree, const Scene& scene, NodeId id) {
-    const Node& node = tree.nodes[id];
-    Box box;
-    for (const ObjectId object : tree.objects_of(node)) box.add(with_one_zero(scene.objects[object].box));
-    if (!node.is_leaf) {
-        box.add(tree.nodes[id + 1].box);
-        box.add(tree.nodes[node.upper].box);
-    }
-    return box;
 }
 
 }  // namespace
@@ -291,26 +308,8 @@ Tree build_bvh(const Scene& scene, const BvhLimits& limits) {
     std::vector<Item> items;
     items.reserve(scene.objects.size());
     for (ObjectId id = 0; id < scene.objects.size(); ++id)
-        items.push_back({with_one_zero(scene.objects[id].box), id, scene.objects[id].triangle_count()});
+        items.emplace_back(scene.objects[id].box, id, scene.objects[id].triangle_count());
     return tree_of(std::move(items), limits);
-}
-
-std::vector<SoupTriangle> flattened(const Scene& scene) {
-    std::vector<std::size_t> starts;
-    std::size_t count = 0;
-    for (const Object& object : scene.objects) {
-        starts.push_back(count);
-        count += object.triangle_count();
-    }
-    std::vector<SoupTriangle> soup(count);
-    tbb::parallel_for(std::size_t{0}, scene.objects.size(), [&](std::size_t id) {
-        const Object& object = scene.objects[id];
-        const glm::mat4& placement = scene.placements[object.placement];
-        for (std::uint32_t i = 0; i < object.index_count; ++i)
-            soup[starts[id] + i / 3].corners[i % 3] =
-                glm::vec3(placement * glm::vec4(scene.positions[scene.indices[object.first_index + i]], 1));
-    });
-    return soup;
 }
 
 Tree build_bvh(std::span<const SoupTriangle> soup, const BvhLimits& limits) {
@@ -318,35 +317,9 @@ Tree build_bvh(std::span<const SoupTriangle> soup, const BvhLimits& limits) {
     tbb::parallel_for(std::size_t{0}, soup.size(), [&](std::size_t i) {
         Box box;
         for (const glm::vec3& corner : soup[i].corners) box.add(corner);
-        items[i] = {with_one_zero(box), static_cast<std::uint32_t>(i), 1};
+        items[i] = {box, static_cast<std::uint32_t>(i), 1};
     });
     return tree_of(std::move(items), limits);
-}
-
-void refit(Tree& tree, const Scene& scene) {
-    for (NodeId id = static_cast<NodeId>(tree.nodes.size()); id-- > 0;)
-        tree.nodes[id].box = fitted(tree, scene, id);
-}
-
-Refitter::Refitter(const Tree& tree, std::size_t objects)
-    : node_of_(objects, kNoNode), is_touched_(tree.nodes.size(), 0) {
-    for (NodeId id = 0; id < tree.nodes.size(); ++id)
-        for (const ObjectId object : tree.objects_of(tree.nodes[id])) node_of_[object] = id;
-}
-
-void Refitter::refit(Tree& tree, const Scene& scene, std::span<const ObjectId> moved) {
-    touched_.clear();
-    for (const ObjectId object : moved)
-        for (NodeId id = node_of_[object]; id != kNoNode && !is_touched_[id]; id = tree.nodes[id].parent) {
-            is_touched_[id] = 1;
-            touched_.push_back(id);
-        }
-    // Children have larger numbers than their parents.
-    std::sort(touched_.begin(), touched_.end(), std::greater<>());
-    for (const NodeId id : touched_) {
-        tree.nodes[id].box = fitted(tree, scene, id);
-        is_touched_[id] = 0;
-    }
 }
 
 }  // namespace apps

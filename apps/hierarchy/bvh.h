@@ -7,6 +7,7 @@
 
 #include <span>
 
+#include "apps/hierarchy/soup.h"
 #include "apps/hierarchy/tree.h"
 
 namespace apps {
@@ -24,34 +25,8 @@ struct BvhLimits {
 /// A scene without objects gives one leaf with an empty box.
 Tree build_bvh(const Scene& scene, const BvhLimits& limits);
 
-/// Three corners in world metres.
-struct SoupTriangle {
-    glm::vec3 corners[3];
-};
-
-/// The triangles of all objects, in their order, placed in the world: 36 bytes each.
-std::vector<SoupTriangle> flattened(const Scene& scene);
-
 /// A tree over triangles without objects: Tree::objects lists triangle numbers. At most 2^32 - 1 triangles;
 /// needs 36 bytes a triangle while it builds.
 Tree build_bvh(std::span<const SoupTriangle> soup, const BvhLimits& limits);
-
-/// Makes all boxes of a bounding volume hierarchy fit where the objects are now; which node holds what stays.
-void refit(Tree& tree, const Scene& scene);
-
-/// The same for the few that move: knows where each object hangs.
-class Refitter {
-  public:
-    /// `tree` is a bounding volume hierarchy over `objects` objects; its shape must not change from here on.
-    Refitter(const Tree& tree, std::size_t objects);
-
-    /// Makes the boxes above `moved` fit; of objects that are not named nothing has changed.
-    void refit(Tree& tree, const Scene& scene, std::span<const ObjectId> moved);
-
-  private:
-    std::vector<NodeId> node_of_;           // by object
-    std::vector<std::uint8_t> is_touched_;  // by node; all 0 between calls
-    std::vector<NodeId> touched_;
-};
 
 }  // namespace apps

@@ -2,7 +2,7 @@
 // The walk itself: a scene with its tree, a context, one culler, and the frames along the path.
 #pragma once
 
-#include "apps/hierarchy/bvh.h"
+#include "apps/hierarchy/refit.h"
 #include "apps/hierarchy/world.h"
 #include "apps/platform/device_clock.h"
 #include "apps/report/frame_report.h"

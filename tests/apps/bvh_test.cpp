@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "apps/hierarchy/kd_tree.h"
+#include "apps/hierarchy/refit.h"
 #include "apps/scene/random.h"
 #include "apps/scene/scenes.h"
 

@@ -3,7 +3,7 @@
 // objects where they were.
 #include "gl_fixture.h"
 
-#include "apps/hierarchy/bvh.h"
+#include "apps/hierarchy/refit.h"
 #include "apps/hierarchy/world.h"
 #include "apps/scene/motion.h"
 
