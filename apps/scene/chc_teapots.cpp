@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // chc-teapots: the teapots of Bittner et al., Coherent Hierarchical Culling, 2004, section 6.1: 5,000 of
 // 2,304 triangles, "randomly positioned", an arrangement "long and thin" with "many thin holes through which
-// it is possible to see quite far into" it. The paper's table 1 gives triangles and nodes; size and density
-// of the arrangement are ours, chosen for the shares of the triangles in the frustum and drawn. The walk
-// looks at it from one end, from its longer side (frames 25 to 90 of the paper's; of 130 here), and from the
-// other end.
+// it is possible to see quite far into" it. The paper's table 1 gives triangles; size and density of the
+// arrangement are ours, chosen for the shares of the triangles in the frustum and drawn. The walk looks at it
+// from one end, from its longer side (the paper's frames 25 to 90; here from a sixth to a half of the walk),
+// and from the other end.
 #include <cmath>
 
 #include "apps/scene/random.h"
@@ -16,8 +16,7 @@ namespace {
 
 constexpr float kUnitMetres = 0.15F;  // a teapot is a metre long
 // Of the box in which their middles lie, at scale 1.
-constexpr float kThickMetres = 9;
-constexpr float kLongMetres = 90;
+constexpr glm::vec3 kBoxMetres{42, 14, 1.9F};
 constexpr Albedo kGlazes[] = {{0.86F, 0.84F, 0.78F}, {0.60F, 0.24F, 0.16F}, {0.22F, 0.42F, 0.50F},
                               {0.78F, 0.62F, 0.26F}, {0.34F, 0.46F, 0.28F}, {0.46F, 0.34F, 0.44F},
                               {0.74F, 0.52F, 0.40F}, {0.30F, 0.32F, 0.36F}};
@@ -50,12 +49,12 @@ CameraPath walk(float size) {
         glm::vec3 eye;
         glm::vec3 look_at;
     };
-    constexpr float kEnd = kLongMetres / 2;
+    constexpr float kEnd = kBoxMetres.x / 2;
     const Stand stands[] = {
-        {0, {-kEnd - 11, -1, 1}, {0, 0, 0}},    {0.10F, {-kEnd - 12, -3, 2}, {0, 0, 0}},
-        {0.19F, {-kEnd, -60, 9}, {0, 0, 0}},    {0.40F, {-14, -78, 14}, {0, 0, 0}},
-        {0.55F, {14, -74, 6}, {0, 0, 0}},       {0.69F, {kEnd, -56, 2}, {0, 0, 0}},
-        {0.78F, {kEnd + 14, -4, 0}, {0, 0, 0}}, {1, {kEnd + 11, 1, -2}, {0, 0, 0}},
+        {0, {-kEnd - 7, -1, 0.2F}, {0, 0, 0}},    {0.15F, {-kEnd - 7, -2, 0.4F}, {0, 0, 0}},
+        {0.18F, {-kEnd, -30, 0.5F}, {0, 0, 0}},   {0.30F, {-8, -41, 0.7F}, {0, 0, 0}},
+        {0.40F, {8, -40, 0.5F}, {0, 0, 0}},       {0.50F, {kEnd, -30, 0.3F}, {0, 0, 0}},
+        {0.53F, {kEnd + 7.5F, -3, 0}, {0, 0, 0}}, {1, {kEnd + 6.5F, 1, -0.3F}, {0, 0, 0}},
     };
     std::vector<CameraKey> keys;
     for (const Stand& stand : stands) keys.push_back({stand.at, size * stand.eye, size * stand.look_at});
@@ -71,7 +70,7 @@ Scene build_chc_teapots(double scale, std::uint64_t seed) {
     // How deep one sees depends on how many teapots share how large a face of the box: all lengths go with
     // the root.
     const auto size = static_cast<float>(std::sqrt(scale));
-    std::vector<std::array<Object, 2>> meshes;
+    std::vector<std::array<Object, 4>> meshes;
     for (const Albedo& glaze : kGlazes) meshes.push_back(add_teapot(scene, kUnitMetres, glaze));
     if (const std::uint32_t rest = total % kTeapotTriangles; rest > 0)
         meshes.push_back(add_teapot(scene, kUnitMetres, kGlazes[0], rest));
@@ -84,14 +83,14 @@ Scene build_chc_teapots(double scale, std::uint64_t seed) {
         const float y = random.between(-0.5F, 0.5F);
         const float z = random.between(-0.5F, 0.5F);
         glm::mat4 placement{glm::mat3(rotation)};
-        placement[3] = {size * glm::vec3(x * kLongMetres, y * kThickMetres, z * kThickMetres), 1};
+        placement[3] = {size * kBoxMetres * glm::vec3(x, y, z), 1};
         scene.placements.push_back(placement);
-        for (Object half : is_broken ? meshes.back() : meshes[glaze]) {
-            if (half.index_count == 0) continue;
-            half.placement = static_cast<std::uint32_t>(scene.placements.size() - 1);
-            half.box = placed_box(scene, half, placement);
-            scene.bounds.add(half.box);
-            scene.objects.push_back(half);
+        for (Object quarter : is_broken ? meshes.back() : meshes[glaze]) {
+            if (quarter.index_count == 0) continue;
+            quarter.placement = static_cast<std::uint32_t>(scene.placements.size() - 1);
+            quarter.box = placed_box(scene, quarter, placement);
+            scene.bounds.add(quarter.box);
+            scene.objects.push_back(quarter);
         }
     }
     scene.path = walk(size);

@@ -68,28 +68,28 @@ Row quarter(const Ring& ring, int turn) {
     return points;
 }
 
-/// The patches of one half, all with their outside to the same hand.
-std::vector<Patch> patches_of(bool has_spout) {
+/// The patches of a quarter, all with their outside to the same hand. Quarters 0 and 1 share the spout, 2 and
+/// 3 the handle.
+std::vector<Patch> patches_of(int turn) {
     std::vector<Patch> patches;
-    for (const int turn : {has_spout ? 0 : 2, has_spout ? 1 : 3})
-        for (const std::span<const Ring> rings : {std::span<const Ring>(kBody), std::span<const Ring>(kLid)})
-            for (std::size_t first = 0; first + 3 < rings.size(); first += 3) {
-                Patch patch;
-                for (std::size_t r = 0; r < 4; ++r) patch[r] = quarter(rings[first + r], turn);
-                patches.push_back(patch);
-            }
-    const std::span<const Row> rows = has_spout ? kSpout : kHandle;
-    for (const bool is_mirrored : {false, true})
-        for (std::size_t first = 0; first + 3 < rows.size(); first += 3) {
+    for (const std::span<const Ring> rings : {std::span<const Ring>(kBody), std::span<const Ring>(kLid)})
+        for (std::size_t first = 0; first + 3 < rings.size(); first += 3) {
             Patch patch;
-            for (std::size_t r = 0; r < 4; ++r) {
-                patch[r] = rows[first + r];
-                if (!is_mirrored) continue;
-                std::reverse(patch[r].begin(), patch[r].end());
-                for (glm::vec3& p : patch[r]) p.y = -p.y;
-            }
+            for (std::size_t r = 0; r < 4; ++r) patch[r] = quarter(rings[first + r], turn);
             patches.push_back(patch);
         }
+    const bool is_mirrored = turn == 1 || turn == 2;  // on the side of +y
+    const std::span<const Row> rows = turn < 2 ? kSpout : kHandle;
+    for (std::size_t first = 0; first + 3 < rows.size(); first += 3) {
+        Patch patch;
+        for (std::size_t r = 0; r < 4; ++r) {
+            patch[r] = rows[first + r];
+            if (!is_mirrored) continue;
+            std::reverse(patch[r].begin(), patch[r].end());
+            for (glm::vec3& p : patch[r]) p.y = -p.y;
+        }
+        patches.push_back(patch);
+    }
     return patches;
 }
 
@@ -125,11 +125,11 @@ class Potter {
     Potter(Scene& scene, float unit_metres, Albedo glaze)
         : scene_(scene), unit_metres_(unit_metres), glaze_(glaze) {}
 
-    Object half(bool has_spout, std::uint32_t triangles) {
+    Object quarter_of(int turn, std::uint32_t triangles) {
         Object object;
         object.first_index = static_cast<std::uint32_t>(scene_.indices.size());
         object.first_vertex = static_cast<std::uint32_t>(scene_.positions.size());
-        for (const Patch& patch : patches_of(has_spout)) {
+        for (const Patch& patch : patches_of(turn)) {
             if (triangles == 0) break;
             triangles -= add(patch, triangles);
         }
@@ -174,10 +174,15 @@ class Potter {
 
 }  // namespace
 
-std::array<Object, 2> add_teapot(Scene& scene, float unit_metres, Albedo glaze, std::uint32_t triangles) {
+std::array<Object, 4> add_teapot(Scene& scene, float unit_metres, Albedo glaze, std::uint32_t triangles) {
     Potter potter(scene, unit_metres, glaze);
-    const std::uint32_t spout = std::min(triangles, kTeapotTriangles / 2);
-    return {potter.half(true, spout), potter.half(false, triangles - spout)};
+    std::array<Object, 4> quarters;
+    for (int turn = 0; turn < 4; ++turn) {
+        const std::uint32_t share = std::min(triangles, kTeapotTriangles / 4);
+        quarters[static_cast<std::size_t>(turn)] = potter.quarter_of(turn, share);
+        triangles -= share;
+    }
+    return quarters;
 }
 
 }  // namespace apps

@@ -15,10 +15,10 @@ inline constexpr std::uint32_t kTeapotTriangles = kTeapotPatches * kTeapotSteps 
 
 /// Appends a teapot to the scene's arrays, around the origin, its base down, its spout towards +x; light is
 /// baked in as it stands. A unit of Newell's table, of which the teapot is 6.4 long and 3.15 high, becomes
-/// `unit_metres`. Returns its halves, that of the spout and that of the handle, 1,152 triangles each, boxes
-/// as they stand; they are not in Scene::objects yet. `triangles` cuts it short: of a broken teapot that many
-/// are left, the spout's half first, and a half may be empty.
-std::array<Object, 2> add_teapot(Scene& scene, float unit_metres, Albedo glaze,
+/// `unit_metres`. Returns its quarters, 576 triangles each: those that share the spout, then those that share
+/// the handle. Their boxes are as they stand; they are not in Scene::objects yet. `triangles` cuts the teapot
+/// short: of a broken one that many are left, and a quarter may be empty.
+std::array<Object, 4> add_teapot(Scene& scene, float unit_metres, Albedo glaze,
                                  std::uint32_t triangles = kTeapotTriangles);
 
 }  // namespace apps
