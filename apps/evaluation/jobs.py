@@ -83,7 +83,7 @@ class Result:
         return [frame[key] for frame in self.frames]
 
     def mean(self, key):
-        values = [frame[key] for frame in self.frames if key in frame]
+        values = [frame[key] for frame in self.frames if frame.get(key) is not None]
         return sum(values) / len(values) if values else None
 
     def total(self, key):

@@ -163,7 +163,10 @@ class Said(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             for module in (log, chc, growth):
                 jobs = module.jobs(SMALL)
-                results = {job: result_of([1.0, 2.0]) for job in jobs}
+                results = {
+                    job: result_of([1.0, 2.0], **({} if job.clock == "device" else {"device_ms": None}))
+                    for job in jobs
+                }
                 for some in (results, dict(list(results.items())[::2]), {}):
                     section = module.section(some, SMALL)
                     self.assertIn("<svg", html_of(section))
