@@ -17,6 +17,9 @@ HERE = "mesa"
 SCENES = ("chc-teapots", "chc-city", "chc-plant")
 CULLERS = ("frustum", "stop-and-wait", "chc", "chc++", "ideal")
 SIZE = "1024x768"
+# The ideal of the paper draws leaf by leaf; this one makes as few draw commands of the same set as a method may that
+# draws visible leaves together, as CHC++ does.
+IN_RUNS = (("in_runs", 1),)
 SWEEP = ((0, 0), (2, 0), (2, 25))  # t_av, n_vp
 
 
@@ -56,7 +59,7 @@ TABLE_2 = {
     "chc-city": {(0, 0): (345, 8.47), (2, 0): (192, 6.70), (2, 25): (181, 6.11)},
     "chc-plant": {(0, 0): (263, 38.73), (2, 0): (126, 31.17), (2, 25): (120, 36.62)},
 }
-SCALES = {"small": {"chc-teapots": 0.02, "chc-city": 0.15, "chc-plant": 0.02},
+SCALES = {"small": {"chc-teapots": 0.05, "chc-city": 1, "chc-plant": 0.05},
           "full": dict.fromkeys(SCENES, 1)}  # fmt: skip
 # Frames of the whole walk, and the part of it that is walked: (sections, frames of each).
 WALKS = {
@@ -81,6 +84,7 @@ def sweep_job(extent, scene, t_av, n_vp):
 
 def jobs(extent):
     wanted = [job(extent, scene, culler) for scene in SCENES for culler in CULLERS]
+    wanted += [job(extent, scene, "ideal", knobs=IN_RUNS) for scene in SCENES]
     wanted += [sweep_job(extent, scene, *knobs) for scene in SCENES for knobs in SWEEP]
     wanted += [job(extent, "chc-city", culler, extra=("--moving", "0.05")) for culler in CULLERS[1:4]]
     wanted += [job(extent, scene, culler, device=HERE) for scene in SCENES for culler in CULLERS]
@@ -97,17 +101,18 @@ def table_1(results, extent):
             continue
         lines.append(f'<tr class="group"><td colspan="15">{scene}, {base.summary["scene_triangles"]:,} triangles, '
                      f'{base.summary["tree_nodes"]:,} nodes</td></tr>')  # fmt: skip
-        for culler in CULLERS:
-            ours, here = results.get(job(extent, scene, culler)), results.get(job(extent, scene, culler, device=HERE))
+        for culler, knobs in (*((culler, ()) for culler in CULLERS), ("ideal", IN_RUNS)):
+            ours = results.get(job(extent, scene, culler, knobs=knobs))
+            here = None if knobs else results.get(job(extent, scene, culler, device=HERE))
             if ours is None:
                 continue
-            theirs = TABLE_1[scene].get(culler)
+            theirs = None if knobs else TABLE_1[scene].get(culler)
             mean, means = speedups(base.column("device_ms"), ours.column("device_ms"))
             of_means = theirs and TABLE_1[scene]["frustum"].milliseconds / theirs.milliseconds
             on_mesa = here and base_here and speedups(base_here.column("frame_ms"), here.column("frame_ms"))[0]
             lines.append(
                 "<tr>"
-                + cells(escape(culler), number(theirs and theirs.queries), number(ours.mean("queries") or None))
+                + cells(escape(culler) + (", fewest draws" if knobs else ""), number(theirs and theirs.queries), number(ours.mean("queries") or None))
                 + cells(number(theirs and theirs.wait_ms, 2),
                         number(ours.layer_mean("device_stall_ms") if ours.mean("queries") else None, 2))
                 + cells(number(theirs and theirs.triangles), number(ours.mean("drawn_triangles")))
@@ -201,6 +206,11 @@ def goals(results, extent):
             found.append(Goal(f"{scene}: CHC takes at most 1.15 times the ideal", "1.15", f"{slower:.3f}", slower <= 1.15))
         slower = times["chc++"] / times["ideal"]
         found.append(Goal(f"{scene}: CHC++ takes at most 1.05 times the ideal", "1.05", f"{slower:.3f}", slower <= 1.05))
+        in_runs = results.get(job(extent, scene, "ideal", knobs=IN_RUNS))
+        if in_runs:
+            slower = times["chc++"] / in_runs.mean("device_ms")
+            found.append(Goal(f"{scene}: CHC++ takes at most 1.05 times the ideal in as few draws as can be", "1.05",
+                              f"{slower:.3f}", slower <= 1.05))  # fmt: skip
         worst = worst_window(results, extent, scene)
         found.append(Goal(f"{scene}: CHC++ is over no 20 frames slower than frustum culling", "1", f"{worst:.3f}",
                           worst <= 1))  # fmt: skip
