@@ -39,4 +39,7 @@ Scene build_chc_city(double scale, std::uint64_t seed);
 inline constexpr std::uint32_t kChcTeapotsTriangles = 11'520'000;  // 5,000 teapots
 Scene build_chc_teapots(double scale, std::uint64_t seed);
 
+inline constexpr std::uint32_t kChcPlantTriangles = 12'748'510;  // a proxy: the model cannot be had
+Scene build_chc_plant(double scale, std::uint64_t seed);
+
 }  // namespace apps
