@@ -13,7 +13,9 @@
 namespace apps {
 namespace {
 
-constexpr int kGrid = 3;  // passes per axis
+constexpr int kGrid = 3;        // passes per axis
+constexpr int kCoarseGrid = 2;  // of scenes that take seconds to draw
+constexpr std::uint64_t kManyTriangles = 4'000'000;
 
 /// Edges of a box: pairs of corner numbers that differ in one bit.
 constexpr int kEdges[12][2] = {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3},
@@ -31,10 +33,11 @@ struct Passes {
 Passes light(Lighting& lighting, const Frame& frame, const Eye& eye, std::span<const ObjectId> objects) {
     const int width = frame.view.width;
     const int height = frame.view.height;
+    const int grid = triangles_of(frame.scene, objects) > kManyTriangles ? kCoarseGrid : kGrid;
     Passes passes;
-    for (int pass = 0; pass < kGrid * kGrid; ++pass) {
-        const glm::vec2 cell(pass % kGrid, pass / kGrid);
-        const glm::vec2 shift = (cell + 0.5F) / static_cast<float>(kGrid) - 0.5F;
+    for (int pass = 0; pass < grid * grid; ++pass) {
+        const glm::vec2 cell(pass % grid, pass / grid);
+        const glm::vec2 shift = (cell + 0.5F) / static_cast<float>(grid) - 0.5F;
         passes.eyes.push_back({eye.modelview, shifted(eye.projection, shift, width, height)});
         passes.pixels.push_back(
             lighting.light(passes.eyes.back(), width, height, objects, static_cast<unsigned>(pass)));
@@ -42,9 +45,10 @@ Passes light(Lighting& lighting, const Frame& frame, const Eye& eye, std::span<c
     return passes;
 }
 
-/// `colour` turns a lit pixel into what is shown; `overlay` draws over it.
+/// `colour` turns a lit pixel into what is shown; `overlay` draws over it, `hidden_by` what is nearer of
+/// them.
 template <class Colour, class Overlay>
-void save(Renderer& renderer, const Frame& frame, const Passes& passes, std::span<const ObjectId> objects,
+void save(Renderer& renderer, const Frame& frame, const Passes& passes, std::span<const ObjectId> hidden_by,
           const std::filesystem::path& file, Colour&& colour, Overlay&& overlay) {
     Picture picture(frame.view.width, frame.view.height);
     std::vector<glm::u8vec4> shown(passes.pixels.front().size());
@@ -56,7 +60,7 @@ void save(Renderer& renderer, const Frame& frame, const Passes& passes, std::spa
         renderer.set_matrices(passes.eyes[pass].modelview, passes.eyes[pass].projection, frame.view.width,
                               frame.view.height);
         renderer.clear(glm::vec4(1));
-        renderer.draw(objects);  // for its depth
+        renderer.draw(hidden_by);
         renderer.write_pixels(shown);
         overlay();
         picture.add(renderer.read_pixels());
@@ -80,8 +84,9 @@ Eye from_above(const Frame& frame) {
     for (const Object& object : frame.scene.objects)
         if (object.box.max.z - object.box.min.z > 0.02F * height) part.add(object.box);
     const glm::vec3 towards = glm::normalize(glm::vec3(-0.35F, 0.62F, -0.80F));
+    const float reach = glm::length(frame.scene.bounds.max - frame.scene.bounds.min);
     const glm::mat4 modelview =
-        glm::lookAt(part.centre() - 3000.0F * towards, part.centre(), glm::vec3(0, 0, 1));
+        glm::lookAt(part.centre() - reach * towards, part.centre(), glm::vec3(0, 0, 1));
     Box seen;
     for (int corner = 0; corner < 8; ++corner)
         seen.add(glm::vec3(modelview * glm::vec4(part.corner(corner), 1)));
@@ -90,7 +95,7 @@ Eye from_above(const Frame& frame) {
     const float half_height = 1.02F * std::max(half.y, half.x / aspect);
     const glm::vec3 c = seen.centre();
     return {modelview, glm::ortho(c.x - half_height * aspect, c.x + half_height * aspect, c.y - half_height,
-                                  c.y + half_height, 100.0F, 6000.0F)};
+                                  c.y + half_height, 0.0F, 2 * reach)};
 }
 
 /// The camera's frustum on the ground, as far as the scene reaches.
@@ -122,8 +127,8 @@ glm::vec3 toned(const glm::vec3& colour) {
 
 /// A model of white card, with what `is_highlighted` in orange.
 glm::vec3 card(const Lighting& lighting, const Lit& lit, bool is_highlighted) {
-    if (lit.vertex == Lit::kSky) return glm::vec3(1);
-    const float grey = glm::dot(lighting.albedo(lit.vertex), glm::vec3(0.30F, 0.59F, 0.11F));
+    if (lit.is_sky()) return glm::vec3(1);
+    const float grey = glm::dot(lighting.albedo(lit), glm::vec3(0.30F, 0.59F, 0.11F));
     const glm::vec3 albedo = is_highlighted ? glm::vec3(1.0F, 0.50F, 0.10F) * (0.62F + 0.5F * grey)
                                             : glm::vec3(0.72F + 0.20F * grey);
     const glm::vec3 light = is_highlighted ? lit.light : glm::mix(glm::vec3(0.95F), lit.light, 0.62F);
@@ -142,27 +147,22 @@ void save_view(Renderer& renderer, Lighting& lighting, const Frame& frame,
     std::sort(drawn.begin(), drawn.end());
     const Passes passes = light(lighting, frame, {frame.view.modelview, frame.view.projection}, drawn);
     const auto colour = [&](const Lit& lit) {
-        if (lit.vertex == Lit::kSky) return lit.light;
+        if (lit.is_sky()) return lit.light;
         const float haze = 1 - std::exp(-lit.distance / 900);
-        return glm::mix(toned(lighting.albedo(lit.vertex) * lit.light), glm::vec3(0.80F, 0.87F, 0.94F), haze);
+        return glm::mix(toned(lighting.albedo(lit) * lit.light), glm::vec3(0.80F, 0.87F, 0.94F), haze);
     };
-    save(renderer, frame, passes, drawn, file, colour, [] {});
+    save(renderer, frame, passes, {}, file, colour, [] {});
 }
 
 void save_above(Renderer& renderer, const Lighting& lighting, const Frame& frame, const Passes& passes,
                 const std::filesystem::path& file) {
-    std::vector<std::uint8_t> is_drawn_vertex(frame.scene.positions.size());
-    for (const ObjectId id : frame.drawn) {
-        const Object& object = frame.scene.objects[id];
-        std::fill_n(is_drawn_vertex.begin() + object.first_vertex, object.vertex_count, 1);
-    }
     Renderer::Shapes lines;
     Renderer::Shapes faces;
     add_frustum(frame, lines, faces);
     const auto colour = [&](const Lit& lit) {
-        return card(lighting, lit, lit.vertex != Lit::kSky && is_drawn_vertex[lit.vertex]);
+        return card(lighting, lit, !lit.is_sky() && frame.is_drawn[lit.object]);
     };
-    save(renderer, frame, passes, all_of(frame.scene), file, colour, [&] {
+    save(renderer, frame, passes, {}, file, colour, [&] {
         renderer.draw_triangles(faces, true);
         renderer.draw_lines(lines, 2, true);
     });
