@@ -97,7 +97,7 @@ ScreenBox screen_box(const View& view, const Box& box) {
 }
 
 DepthSteps steps_of(float depth) {
-    return depth < 1 ? to_step(std::ceil(static_cast<double>(depth) * kFarStep)) : kFarStep;
+    return depth < 1 ? to_step(std::round(static_cast<double>(depth) * kFarStep)) : kFarStep;
 }
 
 }  // namespace apps
