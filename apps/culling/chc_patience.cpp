@@ -18,19 +18,21 @@ void Patience::start_frame(const View& view) {
 
 std::uint32_t Patience::frames(PartId part, const Box& box, std::uint32_t visible_answers,
                                std::uint32_t frame) const {
+    Random random((std::uint64_t{part} << 32) + frame);
+    const auto any_to = [&](std::uint32_t most) {
+        return static_cast<std::uint32_t>(random.below(static_cast<int>(most) + 1));
+    };
+    constexpr std::uint32_t kMostDoublings = 16;
+    const std::uint32_t doubled = 1U << std::min(std::max(visible_answers, 1U) - 1, kMostDoublings);
     switch (rule_) {
         case PatienceRule::kConstant:
             return frames_;
-        case PatienceRule::kRandom: {
-            if (visible_answers > 1) return frames_;
-            Random random((std::uint64_t{part} << 32) + frame);
-            return static_cast<std::uint32_t>(random.below(static_cast<int>(frames_) + 1));
-        }
-        case PatienceRule::kHistory: {
-            constexpr std::uint32_t kMostDoublings = 16;
-            const std::uint32_t doublings = std::min(std::max(visible_answers, 1U) - 1, kMostDoublings);
-            return std::min(frames_, (1U << doublings) - 1);
-        }
+        case PatienceRule::kRandom:
+            return visible_answers > 1 ? frames_ : any_to(frames_);
+        case PatienceRule::kHistory:
+            return std::min(frames_, doubled - 1);
+        case PatienceRule::kRandomHistory:
+            return std::min(frames_, doubled - 1 + any_to(doubled - 1));
         case PatienceRule::kSpeed: {
             const double metres =
                 kParallaxPixels * pixel_slope_ * std::sqrt(static_cast<double>(squared_distance(box, eye_)));

@@ -17,6 +17,7 @@ enum class PatienceRule : std::uint8_t {
     kRandom,    // the first time any number up to that, so that leaves seen together are not asked together
     kHistory,   // none, 1, 3, 7 ...: after n visible answers in a row 2^(n-1) - 1, at most so many
     kSpeed,     // until the eye has moved the leaf by kParallaxPixels against what is far, at most so many
+    kRandomHistory,  // kHistory, but any number from that to the next of the row, 2^n - 2
 };
 
 class Patience {

@@ -34,7 +34,7 @@ const Statistic kLateAnswers{"late_answers", "answers about visible leaves taken
 struct Settings {
     float growth_pixels;
     Patience patience;
-    std::uint32_t most_doublings;
+    double query_triangles;
     std::uint32_t most_hidden_pixels;
     std::size_t batch;
     double many_cost;
@@ -105,7 +105,9 @@ class Traversal {
         const std::uint32_t answers = memory_.visible_answers(leaf) + 1;
         const std::uint32_t frames =
             settings_.patience.frames(leaf, parts_.box_of(leaf), answers, memory_.frame());
-        return frames << std::min(answers - 1, settings_.most_doublings);
+        const auto triangles = static_cast<double>(triangles_of(frame_.scene, parts_.objects_of(leaf)));
+        if (triangles <= settings_.query_triangles) return frames;
+        return static_cast<std::uint32_t>(frames * (settings_.query_triangles / triangles));
     }
 
     void take_answers() {
@@ -290,9 +292,9 @@ class ChcPlus final : public Culler {
 
 constexpr Knob kKnobs[] = {
     {"t_av", 10, 0, 60, "frames for which a leaf found visible is not asked about"},
-    {"t_av_mode", 1, 0, 3,
-     "t_av is 0 constant, 1 at first random, 2 by its answers, 3 by the camera's speed"},
-    {"back_off", 3, 0, 6, "times that t_av doubles while a leaf is always found visible"},
+    {"t_av_mode", 4, 0, 4,
+     "t_av is 0 constant, 1 at first random, 2 by its answers, 3 by the camera's speed, 4 as 2, at random"},
+    {"query_triangles", 360, 1, 1e6, "a leaf of more triangles is asked about the sooner"},
     {"n_vp", 0, 0, 10'000, "a node of at most so many visible pixels is left out", true},
     {"batch", 50, 1, 1000, "hidden nodes in a batch of queries"},
     {"many_cost", 1, 1, 100, "what a query of several nodes costs beside one of one, for choosing how many"},
@@ -314,7 +316,7 @@ const CullerRecipe kChcPlus = {
         return std::make_unique<ChcPlus>(Settings{
             .growth_pixels = static_cast<float>(knobs.at("proxy_growth")),
             .patience = Patience(whole(knobs, "t_av"), static_cast<PatienceRule>(whole(knobs, "t_av_mode"))),
-            .most_doublings = whole(knobs, "back_off"),
+            .query_triangles = knobs.at("query_triangles"),
             .most_hidden_pixels = whole(knobs, "n_vp"),
             .batch = whole(knobs, "batch"),
             .many_cost = knobs.at("many_cost"),

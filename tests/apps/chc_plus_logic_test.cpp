@@ -14,7 +14,7 @@ using Ids = std::vector<apps::ObjectId>;
 
 TEST(ChcPlus, draws_what_stop_and_wait_draws_and_nothing_twice_whatever_the_latency) {
     for (const std::uint64_t latency : {0ULL, 1ULL, 5ULL, 100ULL, ~0ULL}) {
-        Play play(64, "chc++", {{"t_av", 1}, {"back_off", 0}});
+        Play play(64, "chc++", {{"t_av", 1}});
         play.canvas.latency_calls = latency;
         for (const apps::ObjectId from : {0U, 7U, 40U}) {
             const Set truth = play.canvas.visible = {from, from + 1, from + 20};
