@@ -147,7 +147,7 @@ class Builder {
         put(parts_.beam, corner + glm::vec3(0, 2.35F, kFloorMetres));
         put(parts_.beam, corner + glm::vec3(0.3F, 0, kFloorMetres), Heading::kY);
         if (random.below(2) == 0) put(parts_.rail, corner + glm::vec3(0, kAisleMetres + 0.05F, 0));
-        const glm::vec3 rack = corner + glm::vec3(0, kAisleMetres + 0.2F, 0);
+        const glm::vec3 rack = corner + glm::vec3(0, kBayMetres - kCladdingMetres, 0);
         if (cell.x == 0 && random.below(8) != 0)
             put(parts_.cladding, rack + glm::vec3(-0.1F, 0, 0), Heading::kY);
         if (cell.x + 1 == bays_.x && random.below(8) != 0)
@@ -155,8 +155,8 @@ class Builder {
         for (const bool is_far : {false, true}) {
             if (cell.y != (is_far ? bays_.y - 1 : 0)) continue;
             const glm::vec3 wall = corner + glm::vec3(0, is_far ? kBayMetres + 0.1F : -0.1F, 0);
-            put(parts_.cladding, wall);
-            if (random.below(4) != 0) put(parts_.cladding, wall + glm::vec3(kBayMetres - 3.6F, 0.02F, 0));
+            for (const float along : {0.0F, kBayMetres - kCladdingMetres})
+                if (random.below(4) != 0) put(parts_.cladding, wall + glm::vec3(along, 0, 0));
         }
     }
 

@@ -271,8 +271,8 @@ Parts build_parts(Scene& scene) {
     }
     {
         Lathe cladding(scene);
-        constexpr int kFolds = 12;
-        constexpr float kFoldMetres = 3.6F / kFolds;
+        constexpr int kFolds = 10;
+        constexpr float kFoldMetres = kCladdingMetres / kFolds;
         for (int fold = 0; fold < kFolds; ++fold) {
             const float x = kFoldMetres * static_cast<float>(fold);
             const float edges[] = {x, x + 0.10F, x + 0.15F, x + 0.25F, x + kFoldMetres};

@@ -11,7 +11,8 @@ namespace apps::plant {
 
 inline constexpr float kBayMetres = 6;    // between columns, both ways
 inline constexpr float kFloorMetres = 6;  // from floor to floor
-inline constexpr int kGauges = 4;         // of pipes
+inline constexpr float kCladdingMetres = 3;
+inline constexpr int kGauges = 4;  // of pipes
 
 /// Metres: the outer radius of a pipe of that gauge.
 constexpr float radius_of(int gauge) {
@@ -29,7 +30,7 @@ struct Parts {
     Object column;           // a floor tall, on the origin
     Object beam;             // along +x from the origin, a bay long
     Object slab;             // a bay of floor, its upper face in z = 0, from the origin along +x and +y
-    Object cladding;         // a floor tall, 3.6 m wide, along +x from the origin in y = 0
+    Object cladding;         // a floor tall, kCladdingMetres wide, along +x from the origin in y = 0
     Object rail;             // along +x from the origin, a bay long
     Object chimney;          // 60 m tall on the origin
     Object ground;           // 12 m of it along +x and +y

@@ -45,20 +45,21 @@ CameraPath walk(const glm::ivec3& bays) {
     const auto x = [](float metres) { return glm::vec3(metres, 0, 0); };
     const float beyond = size.x + 2;
     Walk walk;
+    // In the aisles the gaze goes ahead and to the side, towards the nearer wall of the building.
     walk.go(0, {-0.75F * size.x, -0.35F * size.x, 0.7F * size.z}, middle);
-    walk.go(4, {-0.5F * size.x, first.y - 6, 0.4F * size.z}, middle);
-    walk.go(3, first + x(-3), first + x(12));
-    walk.go(30, first + x(size.x - 2), first + x(size.x + 12));
+    walk.go(7, {-0.5F * size.x, first.y - 6, 0.4F * size.z}, middle);
+    walk.go(2, first + x(-3), first + glm::vec3(12, -7, 0));
+    walk.go(30, first + x(size.x - 2), first + glm::vec3(size.x + 12, -5, 0));
     walk.go(2, first + x(beyond), first + x(beyond + 15));
-    walk.go(16, second + x(beyond), second + x(beyond + 15));
+    walk.go(12, second + x(beyond), second + x(beyond + 15));
     walk.go(1, second + x(beyond), second + glm::vec3(beyond, 15, 0));
-    walk.go(1, second + x(beyond), second + x(beyond - 15));
-    walk.go(30, second + x(2), second + x(-12));
+    walk.go(2, second + x(beyond - 4), second + glm::vec3(beyond - 14, 10, 0));
+    walk.go(30, second + x(2), second + glm::vec3(-12, 8, 0));
     walk.go(2, second + x(-2), second + x(-17));
-    walk.go(16, third + x(-2), third + x(-17));
+    walk.go(12, third + x(-2), third + x(-17));
     walk.go(1, third + x(-2), third + glm::vec3(-2, 15, 0));
-    walk.go(1, third + x(-2), third + x(13));
-    walk.go(20, third + x(0.6F * size.x), third + x(0.6F * size.x + 15));
+    walk.go(1, third + x(2), third + glm::vec3(15, 8, 0));
+    walk.go(20, third + x(0.6F * size.x), third + glm::vec3(0.6F * size.x + 15, 8, 0));
     return walk.path();
 }
 
