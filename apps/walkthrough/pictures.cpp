@@ -77,14 +77,17 @@ void add_box(Renderer::Shapes* lines, Renderer::Shapes* faces, const Box& box, c
             faces->add_quad(box.corner(f[0]), box.corner(f[1]), box.corner(f[2]), box.corner(f[3]), face);
 }
 
-/// From above and behind the south, over everything that stands up.
+/// From above and behind the south, over everything that stands up, and the eye.
 Eye from_above(const Frame& frame) {
     const float height = frame.scene.bounds.max.z - frame.scene.bounds.min.z;
     Box part;
+    part.add(frame.view.eye);
     for (const Object& object : frame.scene.objects)
         if (object.box.max.z - object.box.min.z > 0.02F * height) part.add(object.box);
     const glm::vec3 towards = glm::normalize(glm::vec3(-0.35F, 0.62F, -0.80F));
-    const float reach = glm::length(frame.scene.bounds.max - frame.scene.bounds.min);
+    Box all = frame.scene.bounds;
+    all.add(part);
+    const float reach = glm::length(all.max - all.min);
     const glm::mat4 modelview =
         glm::lookAt(part.centre() - reach * towards, part.centre(), glm::vec3(0, 0, 1));
     Box seen;
@@ -105,7 +108,9 @@ void add_frustum(const Frame& frame, Renderer::Shapes& lines, Renderer::Shapes& 
         const glm::vec4 p = to_world * glm::vec4(x, y, 0, 1);
         return glm::normalize(glm::vec3(p) / p.w - frame.view.eye);
     };
-    const float reach = 0.55F * glm::length(frame.scene.bounds.max - frame.scene.bounds.min);
+    const Box& bounds = frame.scene.bounds;
+    const float reach =
+        std::max(0.55F * glm::length(bounds.max - bounds.min), glm::length(bounds.centre() - frame.view.eye));
     const float height = std::max(frame.view.eye.z, 1.0F);
     const auto flat = [&](float x) {
         const glm::vec3 ray = along(x, 0);
