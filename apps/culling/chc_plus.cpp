@@ -299,7 +299,7 @@ constexpr Knob kKnobs[] = {
     {"batch", 50, 1, 1000, "hidden nodes in a batch of queries"},
     {"many_cost", 1, 1, 100, "what a query of several nodes costs beside one of one, for choosing how many"},
     {"box_cost", 0, 0, 10, "what each of its boxes costs beside"},
-    {"tight_depth", 3, 0, 6, "levels below a node whose boxes may stand for its own"},
+    {"tight_depth", 0, 0, 6, "levels below a node whose boxes may stand for its own"},
     {"tight_area", 1.4, 1, 4, "most surface of these boxes, by the node's own"},
     kProxyGrowthKnob,
 };
