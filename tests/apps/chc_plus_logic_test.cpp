@@ -120,10 +120,27 @@ TEST(Patience, follows_its_rule) {
     for (const auto& [answers, skipped] :
          {std::pair{1U, 0U}, {2U, 1U}, {3U, 3U}, {4U, 7U}, {5U, 8U}, {99U, 8U}})
         EXPECT_EQ(frames(PatienceRule::kHistory, answers, 0), skipped);
+    std::set<std::uint32_t> third;
+    for (std::uint32_t frame = 0; frame < 200; ++frame)
+        third.insert(frames(PatienceRule::kRandomHistory, 3, 0, frame));
+    EXPECT_EQ(third, (std::set<std::uint32_t>{3, 4, 5, 6}));
+    EXPECT_EQ(frames(PatienceRule::kRandomHistory, 1, 0), 0U);
+    EXPECT_EQ(frames(PatienceRule::kRandomHistory, 99, 0), 8U);
     EXPECT_EQ(frames(PatienceRule::kSpeed, 1, 0), 8U);
     EXPECT_EQ(frames(PatienceRule::kSpeed, 1, 10), 0U);
     // At 39 m, a pixel being 1.73e-3: 16 pixels are 1.08 m, 4 steps of a quarter metre.
     EXPECT_EQ(frames(PatienceRule::kSpeed, 1, 0.25F), 4U);
+}
+
+TEST(ChcPlus, asks_the_sooner_about_a_leaf_the_more_it_draws) {
+    for (const bool is_dear : {false, true}) {  // a leaf draws as much as a query, or twice that
+        Play play(4, "chc++", {{"t_av", 2}, {"t_av_mode", 0}, {"query_triangles", 1}});
+        if (is_dear)
+            for (apps::Object& object : play.scene.objects) object.index_count *= 2;
+        play.canvas.visible = {0, 1, 2, 3};
+        play.frames(3);
+        EXPECT_EQ(play.queries(), is_dear ? 4U : 0U);
+    }
 }
 
 TEST(Conditional, sends_hidden_nodes_on_condition_and_visible_leaves_without) {
