@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "apps/scene/scenes.h"
 
@@ -86,6 +87,16 @@ void check_choice(const char* option, const std::string& value, std::initializer
     throw BadUse(fmt::format("{} is {}, not \"{}\"", option, fmt::join(allowed, " or "), value));
 }
 
+void read_split(const std::string& split, std::optional<long long> most, Options& options) {
+    if ((!split.empty() || most) && find_scene(options.scene))
+        throw BadUse("--split and --leaf-triangles cut model files, not generated scenes");
+    check_choice("--split", split, {"size", "object"});
+    if (split == "object") options.split = {ModelSplit::By::kObject, ModelSplit::kMostOfAMesh};
+    if (!most) return;
+    if (*most < 1) throw BadUse(fmt::format("--leaf-triangles is at least 1, not {}", *most));
+    options.split.most_triangles = static_cast<std::size_t>(*most);
+}
+
 void read_work(double work_us, Options& options) {
     constexpr double kMostMicroseconds = 1e9;
     if (!(work_us >= 0 && work_us <= kMostMicroseconds))
@@ -107,7 +118,6 @@ void check(const Options& options) {
     check_choice("--test", options.test,
                  {"GL_ARB_occlusion_query", "GL_NV_occlusion_query", "GL_HP_occlusion_test"});
     check_choice("--regions", options.regions, {"GL_EMU_depth_region_query", "glReadPixels"});
-    if (options.leaf_triangles < 1) throw BadUse("--leaf-triangles is at least 1, not 0");
     if (options.judge_every < 1)
         throw BadUse(fmt::format("--judge-every is at least 1, not {}", options.judge_every));
     if (options.judge_every > 1 && !options.oracle) throw BadUse("--judge-every needs --oracle");
@@ -128,6 +138,8 @@ Options parse_options(int argc, const char* const* argv) {
     Options options;
     std::string size;
     std::string sections;
+    std::string split;
+    std::optional<long long> leaf_triangles;
     double work_us = 0;
     std::vector<std::string> settings;
     std::vector<std::string> labels;
@@ -153,8 +165,13 @@ Options parse_options(int argc, const char* const* argv) {
     app.add_option("--moving", options.moving,
                    "share of the small objects, 0 to 1, that move about; the tree is then a bvh")
         ->capture_default_str();
-    app.add_option("--leaf-triangles", options.leaf_triangles, "mean of a leaf in the tree of a model file")
-        ->capture_default_str();
+    app.add_option(
+        "--split", split,
+        "what is an object of a model file: size (neighbouring triangles, unless given), or object "
+        "(a mesh of the file)");
+    app.add_option("--leaf-triangles", leaf_triangles,
+                   fmt::format("most in an object of a model file, {} unless given, {} with --split object",
+                               ModelSplit::kNeighbours, ModelSplit::kMostOfAMesh));
     app.add_option("--test", options.test,
                    "the extension to ask by: GL_ARB_occlusion_query, GL_NV_occlusion_query or "
                    "GL_HP_occlusion_test; the first of them that the machine has unless given");
@@ -186,6 +203,7 @@ Options parse_options(int argc, const char* const* argv) {
     if (options.list) return options;
     if (!size.empty()) read_size(size, options);
     if (!sections.empty()) read_sections(sections, options);
+    read_split(split, leaf_triangles, options);
     read_work(work_us, options);
     const CullerRecipe* culler = find_culler(options.culler);
     if (!culler)

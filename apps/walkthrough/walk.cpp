@@ -104,14 +104,13 @@ std::string cpu_name() {
 
 World build_world(const Options& options) {
     const SceneRecipe* recipe = find_scene(options.scene);
-    const Scene scene = recipe ? recipe->build(options.scale, options.seed) : load_model(options.scene);
+    const Scene scene =
+        recipe ? recipe->build(options.scale, options.seed) : load_model(options.scene, options.split);
     const TreeKind own = recipe ? recipe->tree : TreeKind::kBvh;
     const TreeKind kind = options.tree == "bvh" || options.moving > 0 ? TreeKind::kBvh
                           : options.tree == "kd"                      ? TreeKind::kKdTree
                                                                       : own;
-    const std::size_t leaves =
-        recipe ? leaf_count(*recipe, scene)
-               : 1 + static_cast<std::size_t>(scene.triangle_count()) / options.leaf_triangles;
+    const std::size_t leaves = recipe ? leaf_count(*recipe, scene) : scene.objects.size();
     return make_world(scene, kind, leaves);
 }
 
