@@ -2,6 +2,8 @@
 // Tiles: which a box covers, what is known of them, and what has to be asked.
 #include "apps/culling/occlusion_grid.h"
 
+#include <ranges>
+
 namespace apps {
 
 const Statistic kTilesTested{"tiles_tested", "tiles looked at for a box, with and without a query"};
@@ -100,10 +102,11 @@ bool StateGrid::is_occluded(Frame& frame, const ScreenBox& box) {
     }
     // Steps 3 and 4: "test each outdated internal tile of the BVol with a pixel-level query in the tile's
     // whole area", and "each border tile of the BVol which is outdated or in partially occluded-state with a
-    // pixel-level query in the intersection area".
+    // pixel-level query in the intersection area". From above, in both versions: where one thing stands
+    // behind another, what shows of it shows mostly at its top, so that fewer tiles are asked about.
     for (const bool is_internal : {true, false}) {
         open_.clear();
-        for (const auto& part : parts) {
+        for (const auto& part : std::views::reverse(parts)) {
             const Tile& tile = tiles_[part.tile];
             const bool is_open = tile.is_outdated || (!is_internal && tile.state == TileState::kPartial);
             if (part.is_internal == is_internal && is_open) open_.push_back(part);
@@ -175,7 +178,7 @@ bool ZfarGrid::is_occluded(Frame& frame, const ScreenBox& box) {
     // Steps 3 and 4, of tiles that what is known, outdated or not, does not call occluded.
     for (const bool is_internal : {true, false}) {
         open_.clear();
-        for (const auto& part : parts) {
+        for (const auto& part : std::views::reverse(parts)) {
             const Tile& tile = tiles_[part.tile];
             if (part.is_internal != is_internal || (is_internal && !tile.is_outdated)) continue;
             if (!box.is_behind(tile.zfar))

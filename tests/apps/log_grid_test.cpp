@@ -109,11 +109,14 @@ TEST_F(StateOfTiles, is_looked_at_in_four_steps) {
     EXPECT_TRUE(grid.tile(2).is_outdated);
 }
 
-TEST_F(StateOfTiles, that_shows_ends_the_asking) {
-    draw({0, 0, 60, 32}, {0, 0, 80, 50});
+TEST_F(StateOfTiles, that_shows_ends_the_asking_which_begins_at_the_top) {
+    draw({20, 0, 60, 50}, {0, 0, 80, 50});
     EXPECT_FALSE(is_occluded({0, 0, 80, 50}));
-    EXPECT_EQ(on.canvas.calls.size(), 2U) << "tile 0 is full, tile 1 is not";
-    EXPECT_TRUE(grid.tile(3).is_outdated);
+    EXPECT_EQ(on.canvas.calls, (Calls{{{64, 32, 16, 18}}, {{32, 32, 32, 18}}, {{0, 32, 32, 18}}}))
+        << "the upper row is full but for its first tile";
+    EXPECT_TRUE(grid.tile(0).is_outdated);
+    EXPECT_EQ(grid.tile(3), kPartial);
+    EXPECT_EQ(grid.tile(4), kFull);
 }
 
 TEST_F(StateOfTiles, at_the_edge_of_the_screen_is_internal_where_a_box_covers_what_is_on_it) {
@@ -150,7 +153,7 @@ TEST_F(StateOfTiles, is_found_for_a_whole_box_in_one_call_where_tiles_are_asked_
     EXPECT_TRUE(together.is_occluded(on.frame, box_over(kBothTiles)));
     EXPECT_EQ(on.canvas.calls.size(), 2U) << "three border tiles, then two internal ones";
     EXPECT_EQ(on.canvas.calls[0].size(), 3U);
-    EXPECT_EQ(on.canvas.calls[1], (std::vector{kTile0, kTile1}));
+    EXPECT_EQ(on.canvas.calls[1], (std::vector{kTile1, kTile0}));
     EXPECT_EQ(together.tile(1), kFull);
 }
 
