@@ -33,6 +33,9 @@ const SceneRecipe* find_scene(std::string_view name);
 /// Leaves of its tree: the paper's, in proportion to the triangles; at least one.
 std::size_t leaf_count(const SceneRecipe& recipe, const Scene& scene);
 
+inline constexpr std::uint32_t kLogForestTriangles = 1'694'426;
+Scene build_log_forest(double scale, std::uint64_t seed);
+
 inline constexpr std::uint32_t kChcCityTriangles = 1'036'146;
 Scene build_chc_city(double scale, std::uint64_t seed);
 
