@@ -5,6 +5,7 @@
 // arrangement are ours, chosen for the shares of the triangles in the frustum and drawn. The walk looks at it
 // from one end, from its longer side (the paper's frames 25 to 90; here from a sixth to a half of the walk),
 // and from the other end.
+#include <algorithm>
 #include <cmath>
 
 #include "apps/scene/random.h"
@@ -14,7 +15,8 @@
 namespace apps {
 namespace {
 
-constexpr float kUnitMetres = 0.15F;  // a teapot is a metre long
+constexpr float kUnitMetres = 0.15F;        // a teapot is a metre long
+constexpr float kTeapotReachMetres = 0.6F;  // from its middle
 // Of the box in which their middles lie, at scale 1.
 constexpr glm::vec3 kBoxMetres{42, 14, 1.9F};
 constexpr Albedo kGlazes[] = {{0.86F, 0.84F, 0.78F}, {0.60F, 0.24F, 0.16F}, {0.22F, 0.42F, 0.50F},
@@ -57,7 +59,11 @@ CameraPath walk(float size) {
         {0.53F, {kEnd + 7.5F, -3, 0}, {0, 0, 0}}, {1, {kEnd + 6.5F, 1, -0.3F}, {0, 0, 0}},
     };
     std::vector<CameraKey> keys;
-    for (const Stand& stand : stands) keys.push_back({stand.at, size * stand.eye, size * stand.look_at});
+    // Of a small arrangement much sticks out of the box.
+    const float aside = kTeapotReachMetres * std::max(0.0F, 1 - size);
+    for (const Stand& stand : stands)
+        keys.push_back(
+            {stand.at, size * stand.eye + aside * glm::normalize(stand.eye), size * stand.look_at});
     return {std::move(keys), Lens{45, 0.1F, 400}};
 }
 

@@ -21,7 +21,7 @@ std::span<const SceneRecipe> scenes() {
          "Bittner, Wimmer, Piringer, Purgathofer: Coherent Hierarchical Culling, 2004", 0.01, 16,
          build_chc_city},
         {"chc-teapots", kChcTeapotsTriangles, 20'000, 6'411, TreeKind::kKdTree,
-         "Bittner, Wimmer, Piringer, Purgathofer: Coherent Hierarchical Culling, 2004", 0.001, 4,
+         "Bittner, Wimmer, Piringer, Purgathofer: Coherent Hierarchical Culling, 2004", 0.003, 4,
          build_chc_teapots},
         {"chc-plant", kChcPlantTriangles, 23'723, 6'585, TreeKind::kKdTree,
          "proxy of the UNC power plant of Bittner, Wimmer, Piringer, Purgathofer: Coherent Hierarchical "
