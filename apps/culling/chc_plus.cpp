@@ -31,6 +31,9 @@ const Statistic kFailedNodes{"multi_query_failed_nodes",
 const Statistic kBatches{"query_batches", "batches of queries of hidden nodes"};
 const Statistic kLateAnswers{"late_answers", "answers about visible leaves taken a frame later"};
 
+// Drawn at once: more would keep a GPU of some tens of millions of triangles a second waiting for the first.
+constexpr std::uint64_t kMostCollected = 30'000;
+
 struct Settings {
     float growth_pixels;
     Patience patience;
@@ -114,6 +117,7 @@ class Traversal {
         while (!hidden_asked_.empty()) {
             if (!canvas_.is_answered(hidden_asked_.front().query)) {
                 if (!frontier_.is_empty() || !hidden_.empty()) return;
+                draw_collected();
                 if (ask_visible()) continue;
             }
             const HiddenQuery asked = std::move(hidden_asked_.front());
@@ -171,12 +175,19 @@ class Traversal {
         if (!parts_.is_leaf(part)) return frontier_.push_children(part);
         const std::span<const ObjectId> objects = parts_.objects_of(part);
         collected_.insert(collected_.end(), objects.begin(), objects.end());
+        collected_triangles_ += triangles_of(frame_.scene, objects);
+        if (collected_triangles_ > kMostCollected) draw_collected();
     }
 
+    /// With it go the questions about leaves that the time before drew: not all at the end, where the GPU
+    /// would have nothing else to do.
     void draw_collected() {
         if (collected_.empty()) return;
         frame_.draw(in_runs(collected_));
         collected_.clear();
+        collected_triangles_ = 0;
+        while (next_visible_ < drawn_visible_) ask_visible();
+        drawn_visible_ = visible_.size();
     }
 
     /// Issues the batch: those hidden for longest first, so that they share queries with their like.
@@ -227,8 +238,7 @@ class Traversal {
         }
     }
 
-    /// Asks about one visible leaf, of which all that has been collected may be in the way; false where there
-    /// is none left.
+    /// Asks about one visible leaf; false where there is none left.
     bool ask_visible() {
         while (next_visible_ < visible_.size()) {
             const PartId leaf = visible_[next_visible_++];
@@ -238,7 +248,6 @@ class Traversal {
                 frame_.tally.add(kUnaskable);
                 continue;
             }
-            draw_collected();
             frame_.tally.add(kVisibleQueries);
             memory_.await_answer(leaf);
             visible_asked_.push_back({canvas_.ask({&*proxy, 1}), leaf, memory_.frame()});
@@ -261,10 +270,12 @@ class Traversal {
     Parts parts_;
     Frontier frontier_;
     std::vector<ObjectId> collected_;
+    std::uint64_t collected_triangles_ = 0;
     std::vector<PartId> hidden_;  // of the batch that is not issued yet: the i-queue
     std::deque<HiddenQuery> hidden_asked_;
     std::vector<PartId> visible_;  // leaves whose query is due: the v-queue
     std::size_t next_visible_ = 0;
+    std::size_t drawn_visible_ = 0;  // so many of them were collected before what was drawn last
     std::uint64_t longest_queue_ = 0;
 };
 
