@@ -29,17 +29,23 @@ class LogCoherent final : public Culler {
   public:
     explicit LogCoherent(const KnobValues& knobs)
         : grid_(static_cast<int>(knobs.at("tile")), true),
-          batch_(static_cast<std::size_t>(knobs.at("batch"))) {}
+          batch_(static_cast<std::size_t>(knobs.at("batch"))),
+          retest_(static_cast<std::uint64_t>(knobs.at("retest"))) {}
 
-    void restart() override { memory_.clear(); }
+    void restart() override {
+        memory_.clear();
+        frames_ = 0;
+    }
 
     void draw(Frame& frame) override {
         memory_.resize(frame.tree.nodes.size(), Memory::kNone);
         grid_.clear(frame.view);
         next_ = 0;
+        ++frames_;
         std::vector<Entry> cut;
         find_cut(frame, cut);
         draw_known(frame, cut);
+        std::erase_if(cut, [&](const Entry& entry) { return is_trusted(frame, entry.node); });
         test(frame, cut);
         while (!queue_.empty()) {
             std::vector<Entry> nearest;
@@ -122,6 +128,12 @@ class LogCoherent final : public Culler {
         }
     }
 
+    /// A leaf that was drawn untested is tested in one of `retest` frames only, not all of them in the same.
+    bool is_trusted(const Frame& frame, NodeId id) const {
+        return memory_[id] == Memory::kVisible && frame.tree.nodes[id].is_leaf &&
+               (frames_ + id) % retest_ != 0;
+    }
+
     void open(Frame& frame, NodeId id) {
         const Node& node = frame.tree.nodes[id];
         outdate(frame, node);
@@ -156,14 +168,19 @@ class LogCoherent final : public Culler {
 
     ZfarGrid grid_;
     std::size_t batch_;
+    std::uint64_t retest_;
+    std::uint64_t frames_ = 0;
     std::vector<Memory> memory_;
     std::vector<NodeId> passed_;  // interior nodes that were visible in the last frame
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
     std::uint64_t next_ = 0;
 };
 
-constexpr Knob kKnobs[] = {kTileKnob,
-                           {"batch", 16, 1, 1024, "boxes without a past that are tested together, at most"}};
+constexpr Knob kKnobs[] = {
+    kTileKnob,
+    {"batch", 16, 1, 1024, "boxes without a past that are tested together, at most"},
+    {"retest", 1, 1, 64, "frames after which a visible leaf is tested again"},
+};
 
 }  // namespace
 

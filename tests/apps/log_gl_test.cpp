@@ -35,7 +35,7 @@ const Variant kVariants[] = {
     {"log-zfar", {{"tile", 8}}},
     {"log-zfar", {{"tile", 50}, {"parallel", 1}}},
     {"log-coherent", {}},
-    {"log-coherent", {{"batch", 1}}},
+    {"log-coherent", {{"batch", 1}, {"retest", 3}}},
     {"log-coherent", {{"tile", 8}, {"batch", 1024}}},
     {"bog", {}},
     {"bog", {{"tile", 21}, {"parallel", 1}}},
