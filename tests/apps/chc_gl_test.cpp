@@ -154,13 +154,13 @@ TEST_F(CoherentCullers, called_chc_draw_what_stop_and_wait_draws_where_nothing_m
 }
 
 /// Section 5.2: a node that is left out has at most n_vp visible pixels, an object at most those of the
-/// leaves that list it.
-TEST_F(CoherentCullers, lose_more_pixels_the_more_n_vp_allows_and_not_more_than_it_allows) {
+/// leaves that list it. More pixels need not be lost where more may be: what is left out hides nothing.
+TEST_F(CoherentCullers, lose_no_more_pixels_than_n_vp_allows) {
     const apps::Tree& tree = trees->front();
     std::vector<std::uint32_t> leaves(stage->scene.objects.size(), 0);
     for (const ObjectId id : tree.objects) ++leaves[id];
     for (const std::string_view name : {"chc", "chc++"}) {
-        std::uint32_t before = 0;
+        std::uint32_t at_most = 0;  // where n_vp is largest
         for (const double n_vp : {0, 5, 50, 500}) {
             const auto culler = apps::make_culler(name, {{"n_vp", n_vp}});
             std::uint32_t wrong = 0;
@@ -179,10 +179,9 @@ TEST_F(CoherentCullers, lose_more_pixels_the_more_n_vp_allows_and_not_more_than_
             if (n_vp == 0) {
                 EXPECT_EQ(wrong, 0U) << name;
             }
-            EXPECT_GE(wrong, before) << name << ", n_vp " << n_vp;
-            before = wrong;
+            at_most = wrong;
         }
-        EXPECT_GT(before, 100U) << name << " at the largest n_vp";
+        EXPECT_GT(at_most, 100U) << name << " at the largest n_vp";
     }
 }
 
