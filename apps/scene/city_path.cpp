@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/scene/street_line.h"
+
 namespace apps::city {
 namespace {
 
@@ -22,42 +24,15 @@ constexpr glm::vec2 kCrossings[] = {{0.22F, 0.11F}, {0.22F, 0.44F}, {0.55F, 0.44
                                     {0.78F, 0.22F}, {0.78F, 0.66F}, {0.44F, 0.66F}, {0.44F, 0.89F},
                                     {0.11F, 0.89F}, {0.11F, 0.55F}};
 
-/// The line with its corners rounded, in metres.
-std::vector<glm::vec2> rounded_line(int side) {
+/// The corners of the walk, in metres.
+std::vector<glm::vec2> corners_of(int side) {
     std::vector<glm::vec2> corners;
     for (const glm::vec2& share : kCrossings) {
         const glm::vec2 crossing = glm::round(share * static_cast<float>(side)) * kPitchMetres;
         if (corners.empty() || corners.back() != crossing) corners.push_back(crossing);
     }
     if (corners.size() < 2) corners.push_back(corners.front() + glm::vec2(0, kPitchMetres));
-    std::vector<glm::vec2> line{corners.front()};
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-        const glm::vec2 from = corners[i] + kCornerMetres * glm::normalize(corners[i - 1] - corners[i]);
-        const glm::vec2 to = corners[i] + kCornerMetres * glm::normalize(corners[i + 1] - corners[i]);
-        for (int step = 0; step <= 8; ++step) {
-            const float t = static_cast<float>(step) / 8;
-            line.push_back(glm::mix(glm::mix(from, corners[i], t), glm::mix(corners[i], to, t), t));
-        }
-    }
-    line.push_back(corners.back());
-    return line;
-}
-
-/// The point `metres` along the line, straight on after its end.
-glm::vec2 point_at(const std::vector<glm::vec2>& line, float metres) {
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const float length = glm::distance(line[i], line[i + 1]);
-        if (metres <= length || i + 2 == line.size())
-            return line[i] + (line[i + 1] - line[i]) * (metres / length);
-        metres -= length;
-    }
-    return line.back();
-}
-
-float length_of(const std::vector<glm::vec2>& line) {
-    float sum = 0;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) sum += glm::distance(line[i], line[i + 1]);
-    return sum;
+    return corners;
 }
 
 /// 0 in the street, 1 at the highest point, smooth in between.
@@ -70,7 +45,7 @@ float rise(float at) {
 }  // namespace
 
 CameraPath walk(int side) {
-    const std::vector<glm::vec2> line = rounded_line(side);
+    const std::vector<glm::vec2> line = rounded_line(corners_of(side), kCornerMetres);
     const float length = length_of(line);
     std::vector<CameraKey> keys;
     for (int key = 0; key < kKeys; ++key) {

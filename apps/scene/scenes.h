@@ -36,6 +36,9 @@ std::size_t leaf_count(const SceneRecipe& recipe, const Scene& scene);
 inline constexpr std::uint32_t kLogForestTriangles = 1'694'426;
 Scene build_log_forest(double scale, std::uint64_t seed);
 
+inline constexpr std::uint32_t kLogCityTriangles = 34'034'176;
+Scene build_log_city(double scale, std::uint64_t seed);
+
 inline constexpr std::uint32_t kChcCityTriangles = 1'036'146;
 Scene build_chc_city(double scale, std::uint64_t seed);
 
