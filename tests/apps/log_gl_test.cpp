@@ -52,6 +52,7 @@ std::string name_of(const Variant& variant) {
 struct Drawn {
     std::vector<ObjectId> objects;  // in the order of drawing
     apps::Counters counters;
+    std::uint64_t hidden_pixels;  // of pq
 };
 
 Drawn draw(Stage& stage, apps::Machine& machine, apps::Culler& culler, const apps::Tree& tree,
@@ -61,7 +62,11 @@ Drawn draw(Stage& stage, apps::Machine& machine, apps::Culler& culler, const app
     apps::Frame frame(0, stage.scene, tree, view, canvas);
     culler.draw(frame);
     stage.renderer.finish();
-    return {frame.drawn, canvas.counters()};
+    culler.settle(frame);
+    std::uint64_t hidden_pixels = 0;
+    for (const apps::Statistic* statistic : apps::Statistic::all())
+        if (statistic->name() == "hidden_pixels") hidden_pixels = frame.tally.of(*statistic);
+    return {frame.drawn, canvas.counters(), hidden_pixels};
 }
 Drawn draw(Stage& stage, apps::Culler& culler, const apps::Tree& tree, const View& view) {
     return draw(stage, stage.machine, culler, tree, view);
@@ -128,6 +133,7 @@ TEST(OcclusionGrids, of_the_state_version_draw_what_the_pyramid_and_pixel_querie
         Stage stage(city().scene, size.width, size.height);
         for (const apps::Tree& tree : city().trees) {
             std::map<std::string, std::uint64_t> pixels;
+            std::uint64_t hidden_pixels = 0;
             for (const View& view : city().views(size)) {
                 const auto reference = draw(stage, *apps::make_culler("log-state"), tree, view).objects;
                 EXPECT_GT(reference.size(), 10U);
@@ -137,8 +143,11 @@ TEST(OcclusionGrids, of_the_state_version_draw_what_the_pyramid_and_pixel_querie
                         draw(stage, *apps::make_culler(variant.culler, variant.knobs), tree, view);
                     EXPECT_EQ(frame.objects, reference) << name_of(variant);
                     pixels[name_of(variant)] += frame.counters.pixels_read;
+                    hidden_pixels += frame.hidden_pixels;
                 }
             }
+            EXPECT_GT(hidden_pixels, 0U);
+            for (const auto& [name, count] : pixels) EXPECT_GE(count, hidden_pixels) << name;
             for (const char* rival : {"bog", "hzb", "pq"})
                 EXPECT_LT(2 * pixels.at("log-state"), pixels.at(rival)) << rival;
         }
