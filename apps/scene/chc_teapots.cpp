@@ -18,7 +18,7 @@ namespace {
 constexpr float kUnitMetres = 0.15F;        // a teapot is a metre long
 constexpr float kTeapotReachMetres = 0.6F;  // from its middle
 // Of the box in which their middles lie, at scale 1.
-constexpr glm::vec3 kBoxMetres{42, 14, 1.9F};
+constexpr glm::vec3 kBoxMetres{44, 14, 2.2F};
 constexpr Albedo kGlazes[] = {{0.86F, 0.84F, 0.78F}, {0.60F, 0.24F, 0.16F}, {0.22F, 0.42F, 0.50F},
                               {0.78F, 0.62F, 0.26F}, {0.34F, 0.46F, 0.28F}, {0.46F, 0.34F, 0.44F},
                               {0.74F, 0.52F, 0.40F}, {0.30F, 0.32F, 0.36F}};
@@ -53,10 +53,10 @@ CameraPath walk(float size) {
     };
     constexpr float kEnd = kBoxMetres.x / 2;
     const Stand stands[] = {
-        {0, {-kEnd - 7, -1, 0.2F}, {0, 0, 0}},    {0.15F, {-kEnd - 7, -2, 0.4F}, {0, 0, 0}},
-        {0.18F, {-kEnd, -30, 0.5F}, {0, 0, 0}},   {0.30F, {-8, -41, 0.7F}, {0, 0, 0}},
-        {0.40F, {8, -40, 0.5F}, {0, 0, 0}},       {0.50F, {kEnd, -30, 0.3F}, {0, 0, 0}},
-        {0.53F, {kEnd + 7.5F, -3, 0}, {0, 0, 0}}, {1, {kEnd + 6.5F, 1, -0.3F}, {0, 0, 0}},
+        {0, {-kEnd - 7, -1, 0.2F}, {0, 0, 0}},     {0.15F, {-kEnd - 7, -2, 0.4F}, {0, 0, 0}},
+        {0.18F, {-kEnd, -30, 0.5F}, {0, 0, 0}},    {0.30F, {-8, -41, 0.7F}, {0, 0, 0}},
+        {0.40F, {8, -40, 0.5F}, {0, 0, 0}},        {0.515F, {kEnd, -30, 0.3F}, {0, 0, 0}},
+        {0.545F, {kEnd + 7.5F, -3, 0}, {0, 0, 0}}, {1, {kEnd + 6.5F, 1, -0.3F}, {0, 0, 0}},
     };
     std::vector<CameraKey> keys;
     // Of a small arrangement much sticks out of the box.
