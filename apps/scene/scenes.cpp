@@ -17,11 +17,11 @@ std::span<const SceneRecipe> scenes() {
         {"log-city", kLogCityTriangles, 36'864, 0, TreeKind::kBvh,
          "Hey, Tobler, Purgathofer: Real-Time Occlusion Culling with a Lazy Occlusion Grid, 2001", 1.0 / 512,
          2, build_log_city},
-        // Leaves of the CHC scenes: the paper's table 1 tells nodes, of which leaves of empty space are a part;
-        // ours have none. Leaves with something in them follow from table 2: asked about in every third frame,
-        // visible ones save two thirds of their queries, so 1.5 x (345 - 192) of them hold the 31,034 triangles
-        // drawn of the city, 135 each; of the plant 1,936 each. Teapots lie so close that no leaf of theirs is
-        // empty: they have all 21,639 nodes, and with them the paper's number of queries.
+        // Leaves of the CHC scenes: the paper's table 1 tells nodes, of which leaves of empty space are a
+        // part; ours have none. Leaves with something in them follow from table 2: asked about in every
+        // third frame, visible ones save two thirds of their queries, so 1.5 x (345 - 192) of them hold the
+        // 31,034 triangles drawn of the city, 135 each; of the plant 1,936 each. The teapots, close together,
+        // get all 21,639 nodes: stop-and-wait then asks about as often as in table 1.
         {"chc-city", kChcCityTriangles, 54'428, 7'662, TreeKind::kKdTree,
          "Bittner, Wimmer, Piringer, Purgathofer: Coherent Hierarchical Culling, 2004", 0.01, 16,
          build_chc_city},
