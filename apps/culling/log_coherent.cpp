@@ -178,7 +178,7 @@ class LogCoherent final : public Culler {
 
 constexpr Knob kKnobs[] = {
     kTileKnob,
-    {"batch", 16, 1, 1024, "boxes without a past that are tested together, at most"},
+    {"batch", 4, 1, 1024, "boxes without a past that are tested together, at most"},
     {"retest", 1, 1, 64, "frames after which a visible leaf is tested again"},
 };
 
