@@ -51,9 +51,9 @@ CameraPath walk() {
     constexpr float b = kSmallMetres;
     const auto of = [](int i, int j, float x, float y) { return corner_of(i, j) + glm::vec2(x, y); };
     const std::vector<glm::vec2> turns = {
-        of(3, 1, 0.3F * a, a), of(3, 1, a, a), of(3, 1, a, a + b), of(3, 1, a - b, a + b), of(3, 1, a - b, a),
-        of(3, 1, -b, a),       of(2, 2, a, 0), of(2, 2, 0, 0),     of(2, 2, 0, -b),        of(1, 1, -b, a),
-        of(0, 2, a, 0),        of(0, 2, 0, 0), of(0, 2, 0, -b)};
+        of(3, 1, 0, 0.8F * a), of(3, 1, 0, a),  of(3, 1, a, a), of(3, 1, a, a + b), of(3, 1, a - b, a + b),
+        of(3, 1, a - b, a),    of(3, 1, -b, a), of(2, 2, a, 0), of(2, 2, 0, 0),     of(2, 2, 0, -b),
+        of(1, 1, -b, a),       of(0, 2, a, 0),  of(0, 2, 0, 0), of(0, 2, 0, -b)};
     const std::vector<glm::vec2> line = rounded_line(turns, kCornerMetres);
     const float length = length_of(line);
     std::vector<CameraKey> keys;

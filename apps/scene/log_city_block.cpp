@@ -47,7 +47,8 @@ struct Wall {
     }
 };
 
-/// A wall with a window in it, 30 triangles: four strips, four sides of the recess, the pane, a sill.
+/// A wall with a window in it, 38 triangles: four strips, four sides of the recess, the pane with four
+/// bars before it, a sill.
 void add_window(MeshBuilder& mesh, const Wall& wall, float left, float right, float low, float high,
                 Albedo colour) {
     const float l = left + 0.26F * (right - left);
@@ -67,6 +68,16 @@ void add_window(MeshBuilder& mesh, const Wall& wall, float left, float right, fl
     mesh.quad(wall.at(l, b, 0), wall.at(l, b, d), wall.at(l, t, d), wall.at(l, t, 0), kFrame);
     mesh.quad(wall.at(r, b, d), wall.at(r, b, 0), wall.at(r, t, 0), wall.at(r, t, d), kFrame);
     mesh.quad(wall.at(l, b, d), wall.at(r, b, d), wall.at(r, t, d), wall.at(l, t, d), kPane);
+    const auto bar = [&](float x0, float x1, float z0, float z1) {
+        constexpr float e = d - 0.03F;
+        mesh.quad(wall.at(x0, z0, e), wall.at(x1, z0, e), wall.at(x1, z1, e), wall.at(x0, z1, e), kFrame);
+    };
+    constexpr float kBar = 0.04F;
+    const float third = (t - b) / 3;
+    bar(0.5F * (l + r) - kBar, 0.5F * (l + r) + kBar, b, t);
+    bar(l, l + kBar, b, t);
+    bar(l, r, b + third - kBar, b + third + kBar);
+    bar(l, r, t - third - kBar, t - third + kBar);
     mesh.hanging_box(wall.at(l - 0.06F, b - 0.08F, -0.10F), wall.at(r + 0.06F, b, d), kFrame);
 }
 
