@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
+#include <cctype>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -56,14 +58,8 @@ void add_uses(const aiNode& node, const glm::dmat4& above, std::vector<Use>& use
 /// Calls `visit(face)` for each triangle; points and lines hide nothing.
 template <class Visit>
 void each_triangle(const aiMesh& mesh, Visit&& visit) {
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-        const aiFace& face = mesh.mFaces[f];
-        if (face.mNumIndices != 3) continue;
-        for (unsigned c = 0; c < 3; ++c)
-            if (face.mIndices[c] >= mesh.mNumVertices)
-                throw std::runtime_error("has a triangle whose corner is not in the file");
-        visit(face);
-    }
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f)
+        if (mesh.mFaces[f].mNumIndices == 3) visit(mesh.mFaces[f]);
 }
 
 glm::dvec3 corner_of(const aiMesh& mesh, const Use& use, unsigned index) {
@@ -248,11 +244,45 @@ Scene scene_of(const aiScene& model, const ModelSplit& split) {
     return scene;
 }
 
+/// Before polygons are cut into triangles: that trusts every corner, and aborts over a mesh that is marked to
+/// have polygons and has none, as the readers of files that end early leave it.
+void check_faces(const aiScene& model) {
+    for (unsigned m = 0; m < model.mNumMeshes; ++m) {
+        aiMesh& mesh = *model.mMeshes[m];
+        bool has_polygons = false;
+        for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+            const aiFace& face = mesh.mFaces[f];
+            has_polygons |= face.mNumIndices > 3;
+            for (unsigned c = 0; c < face.mNumIndices; ++c)
+                if (face.mIndices[c] >= mesh.mNumVertices)
+                    throw std::runtime_error("has a face whose corner is not in the file");
+        }
+        if (!has_polygons) mesh.mPrimitiveTypes &= ~unsigned{aiPrimitiveType_POLYGON};
+        if (mesh.mPrimitiveTypes == 0) mesh.mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
+    }
+}
+
+/// A PLY file that ends in its head: assimp 5.2 seeks in it for ever.
+bool is_cut_in_its_head(const std::filesystem::path& file) {
+    constexpr std::size_t kLongestHead = 1 << 16;  // bytes
+    std::string head(kLongestHead, '\0');
+    std::ifstream in(file, std::ios::binary);
+    in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    head.resize(static_cast<std::size_t>(in.gcount()));
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return (extension == ".ply" || head.starts_with("ply")) &&
+           head.find("end_header\n") == std::string::npos && head.find("end_header\r") == std::string::npos;
+}
+
 }  // namespace
 
 Scene load_model(const std::filesystem::path& file, const ModelSplit& split) {
+    if (is_cut_in_its_head(file))
+        throw std::runtime_error("the model " + file.string() + " cannot be read: its head has no end");
     Assimp::Importer importer;
-    const aiScene* model = importer.ReadFile(file.string(), aiProcess_Triangulate);
+    const aiScene* model = importer.ReadFile(file.string(), 0);
     if (!model) {
         std::string reason = importer.GetErrorString();
         std::replace_if(
@@ -260,6 +290,9 @@ Scene load_model(const std::filesystem::path& file, const ModelSplit& split) {
         throw std::runtime_error("the model " + file.string() + " cannot be read: " + reason);
     }
     try {
+        check_faces(*model);
+        model = importer.ApplyPostProcessing(aiProcess_Triangulate);
+        if (!model) throw std::runtime_error("cannot be cut into triangles");
         Scene scene = scene_of(*model, split);
         scene.name = file.stem().string();
         return scene;

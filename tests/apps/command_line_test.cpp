@@ -61,6 +61,7 @@ TEST_F(Walkthrough, answers_bad_use_with_one_sentence_and_status_two) {
         {"--scale nan", "nan"},
         {"--platform web", "web"},
         {"--moving 1.5", "1.5"},
+        {"--split object", "model"},
         {"--moving nan", "nan"},
         {"--moving 0.1 --tree kd", "bvh"},
         {"--work-us -1", "-1"},
