@@ -14,7 +14,7 @@ namespace apps {
 namespace {
 
 constexpr float kPitchMetres = 3.2F;     // between trees, before they are moved at random
-constexpr float kClearingMetres = 2.1F;  // between the walk and the middle of a tree, at least
+constexpr float kClearingMetres = 2.4F;  // between the walk and the middle of a tree, at least
 constexpr float kEyeMetres = 1.7F;
 constexpr float kLookAheadMetres = 4;
 // With it, and with the part of the forest that the walk is in, about the mean shares of the paper.
@@ -23,7 +23,7 @@ constexpr float kMeanderMetres = 30;  // length of one bend and its counterpart
 constexpr float kSwingMetres = 7;    // to either side
 constexpr int kGroundChunks = 8;      // on a side
 constexpr int kGroundCells = 6;       // on a side of a chunk, at scale 1
-constexpr float kWalkFrom = 0.045F;  // shares of the forest's side, 0 in its middle
+constexpr float kWalkFrom = 0.03F;  // shares of the forest's side, 0 in its middle
 constexpr float kWalkTo = 0.43F;
 constexpr int kKeys = 1200;
 
@@ -140,7 +140,7 @@ CameraPath walk(float side) {
                         {x, swing(x), kEyeMetres},
                         {x + kLookAheadMetres, swing(x + kLookAheadMetres), kEyeMetres + 0.2F}});
     }
-    return {std::move(keys), Lens{kViewDegrees, 0.2F, 1000}};
+    return {std::move(keys), Lens{kViewDegrees, 0.1F, 1000}};
 }
 
 void add_ground(MeshBuilder& mesh, float side, int cells) {
