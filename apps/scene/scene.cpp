@@ -62,6 +62,31 @@ Scene reordered(const Scene& scene, std::span<const ObjectId> order) {
     return result;
 }
 
+Scene unshared(const Scene& scene) {
+    Scene result;
+    result.name = scene.name;
+    result.path = scene.path;
+    result.bounds = scene.bounds;
+    result.objects.reserve(scene.objects.size());
+    for (Object object : scene.objects) {
+        const glm::mat4& placement = scene.placements[object.placement];
+        const auto first_vertex = static_cast<std::uint32_t>(result.positions.size());
+        const auto first_index = static_cast<std::uint32_t>(result.indices.size());
+        for (std::uint32_t v = object.first_vertex; v < object.first_vertex + object.vertex_count; ++v) {
+            result.positions.emplace_back(placement * glm::vec4(scene.positions[v], 1));
+            result.colours.push_back(scene.colours[v]);
+        }
+        for (std::uint32_t i = object.first_index; i < object.first_index + object.index_count; ++i)
+            result.indices.push_back(scene.indices[i] - object.first_vertex + first_vertex);
+        object.first_vertex = first_vertex;
+        object.first_index = first_index;
+        object.placement = 0;
+        object.box = placed_box(result, object, glm::mat4(1));
+        result.objects.push_back(object);
+    }
+    return result;
+}
+
 std::uint64_t hash_bytes(std::span<const std::byte> bytes, std::uint64_t hash) {
     for (const std::byte byte : bytes) hash = (hash ^ static_cast<std::uint64_t>(byte)) * 0x100000001B3ULL;
     return hash;

@@ -53,6 +53,10 @@ Box placed_box(const Scene& scene, const Object& mesh, const glm::mat4& placemen
 /// is a permutation of the ids.
 Scene reordered(const Scene& scene, std::span<const ObjectId> order);
 
+/// The same scene with a mesh of its own for each object, where it lies in the world, and no placements: what
+/// a program has in memory that does not share. Vertices are rounded once more.
+Scene unshared(const Scene& scene);
+
 /// 64-bit FNV-1a of everything that can reach a picture: geometry, objects, placements and path.
 std::uint64_t hash_of(const Scene& scene);
 

@@ -172,6 +172,8 @@ Options parse_options(int argc, const char* const* argv) {
     app.add_option("--leaf-triangles", leaf_triangles,
                    fmt::format("most in an object of a model file, {} unless given, {} with --split object",
                                ModelSplit::kNeighbours, ModelSplit::kMostOfAMesh));
+    app.add_flag("--unshared", options.unshared,
+                 "give each object a mesh of its own: more memory than the device may have");
     app.add_option("--test", options.test,
                    "the extension to ask by: GL_ARB_occlusion_query, GL_NV_occlusion_query or "
                    "GL_HP_occlusion_test; the first of them that the machine has unless given");

@@ -29,12 +29,13 @@ struct Options {
     std::chrono::nanoseconds work{0};  // of the program's own in a frame, on a device's clock
     double scale = 1;
     std::uint64_t seed = 1;
-    double moving = 0;    // share of the small objects, 0..1
-    std::string tree;     // "kd", "bvh", or empty for the scene's own
-    ModelSplit split;     // of a model file
-    std::string test;     // the extension to ask by; empty: the first that the machine has
-    std::string regions;  // how to ask for depths; empty: as above
-    KnobValues knobs;     // every knob of the culler
+    double moving = 0;      // share of the small objects, 0..1
+    std::string tree;       // "kd", "bvh", or empty for the scene's own
+    ModelSplit split;       // of a model file
+    bool unshared = false;  // each object with a mesh of its own
+    std::string test;       // the extension to ask by; empty: the first that the machine has
+    std::string regions;    // how to ask for depths; empty: as above
+    KnobValues knobs;       // every knob of the culler
     std::string json;
     std::string baseline;
     bool oracle = false;

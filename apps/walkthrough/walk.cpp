@@ -104,8 +104,9 @@ std::string cpu_name() {
 
 World build_world(const Options& options) {
     const SceneRecipe* recipe = find_scene(options.scene);
-    const Scene scene =
+    Scene scene =
         recipe ? recipe->build(options.scale, options.seed) : load_model(options.scene, options.split);
+    if (options.unshared) scene = unshared(scene);
     const TreeKind own = recipe ? recipe->tree : TreeKind::kBvh;
     const TreeKind kind = options.tree == "bvh" || options.moving > 0 ? TreeKind::kBvh
                           : options.tree == "kd"                      ? TreeKind::kKdTree
@@ -261,6 +262,7 @@ nlohmann::ordered_json Walk::facts() const {
         {"size", fmt::format("{}x{}", options_.width, options_.height)},
         {"scale", options_.scale},
         {"seed", options_.seed},
+        {"unshared", options_.unshared},
         {"path_frames", options_.frames},
         {"mesa", mesa == std::string::npos ? nlohmann::ordered_json(nullptr)
                                            : nlohmann::ordered_json(version.substr(mesa + 5))},
