@@ -23,19 +23,8 @@ extern const CullerRecipe kNone, kFrustum, kStopAndWait, kIdeal, kChc, kChcPlus,
 
 std::span<const CullerRecipe* const> cullers() {
     static constexpr const CullerRecipe* kCullers[] = {
-        &kNone,
-        &kFrustum,
-        &kStopAndWait,
-        &kIdeal,
-        &kChc,
-        &kChcPlus,
-        &kConditional,
-        &kLogState,
-        &kLogZfar,
-        &kLogCoherent,
-        &kBog,
-        &kHzb,
-        &kPq,
+        &kNone,     &kFrustum, &kStopAndWait, &kIdeal, &kChc, &kChcPlus, &kConditional,
+        &kLogState, &kLogZfar, &kLogCoherent, &kBog,   &kHzb, &kPq,
     };
     return kCullers;
 }

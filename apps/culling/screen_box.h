@@ -34,7 +34,8 @@ struct ScreenBox {
 /// number; zfar holds even then, unless it is not a number.
 ScreenBox screen_box(const View& view, const Box& box);
 
-/// The step that GL told as a float, 0 near to 1 far; exactly, of a 24 bit buffer. What is not a number is far.
+/// The step that GL told as a float, 0 near to 1 far; exactly, of a 24 bit buffer. What is not a number is
+/// far.
 DepthSteps steps_of(float depth);
 
 }  // namespace apps

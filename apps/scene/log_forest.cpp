@@ -20,10 +20,10 @@ constexpr float kLookAheadMetres = 4;
 // With it, and with the part of the forest that the walk is in, about the mean shares of the paper.
 constexpr float kViewDegrees = 48.0F;
 constexpr float kMeanderMetres = 30;  // length of one bend and its counterpart
-constexpr float kSwingMetres = 7;    // to either side
+constexpr float kSwingMetres = 7;     // to either side
 constexpr int kGroundChunks = 8;      // on a side
 constexpr int kGroundCells = 6;       // on a side of a chunk, at scale 1
-constexpr float kWalkFrom = 0.03F;  // shares of the forest's side, 0 in its middle
+constexpr float kWalkFrom = 0.03F;    // shares of the forest's side, 0 in its middle
 constexpr float kWalkTo = 0.43F;
 constexpr int kKeys = 1200;
 
