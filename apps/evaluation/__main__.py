@@ -14,7 +14,7 @@ from .runs import Settings, measure, measure_device_time
 
 ROOT = Path(__file__).resolve().parents[2]
 QUICK = {"frames": 8, "scale": 0.15, "latencies": [0, 50], "rounds": 1}
-FULL = {"frames": 40, "scale": 1.0, "latencies": [0, 5, 50, 200], "rounds": 3}
+FULL = {"frames": 40, "scale": 1.0, "latencies": [0, 50, 200], "rounds": 2}
 SIZE = "640x480"
 PAPERS = ("log", "chc", "growth", "all")
 PAPER_TITLES = {"log": "The Lazy Occlusion Grid beside its paper", "chc": "Coherent Hierarchical Culling beside its paper",
