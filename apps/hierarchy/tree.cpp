@@ -3,6 +3,7 @@
 #include "apps/hierarchy/tree.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace apps {
 
@@ -17,6 +18,15 @@ void Tree::link_parents() {
 }
 
 Scene in_leaf_order(const Scene& scene, Tree& tree) {
+    // Parts of one placed mesh next to one another, as they lie in the mesh: they are one draw call.
+    for (const Node& node : tree.nodes)
+        std::sort(tree.objects.begin() + node.first, tree.objects.begin() + node.first + node.count,
+                  [&](ObjectId a, ObjectId b) {
+                      const Object& one = scene.objects[a];
+                      const Object& other = scene.objects[b];
+                      return std::tie(one.placement, one.first_index, a) <
+                             std::tie(other.placement, other.first_index, b);
+                  });
     constexpr ObjectId kUnnamed = ~ObjectId{0};
     std::vector<ObjectId> order;
     std::vector<ObjectId> new_id(scene.objects.size(), kUnnamed);
@@ -27,7 +37,7 @@ Scene in_leaf_order(const Scene& scene, Tree& tree) {
         }
         object = new_id[object];
     }
-    for (Node& node : tree.nodes)
+    for (const Node& node : tree.nodes)
         std::sort(tree.objects.begin() + node.first, tree.objects.begin() + node.first + node.count);
     return reordered(scene, order);
 }

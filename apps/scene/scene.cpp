@@ -2,6 +2,7 @@
 // Sums, permutation and fingerprint of a scene.
 #include "apps/scene/scene.h"
 
+#include <map>
 #include <unordered_map>
 
 namespace apps {
@@ -40,21 +41,28 @@ Scene reordered(const Scene& scene, std::span<const ObjectId> order) {
     result.colours.reserve(scene.colours.size());
     result.indices.reserve(scene.indices.size());
     result.objects.reserve(scene.objects.size());
-    for (const ObjectId id : order) {
-        Object object = scene.objects[id];
+    const auto add_mesh = [&](const Object& object) {
         const Start end{static_cast<std::uint32_t>(result.indices.size()),
                         static_cast<std::uint32_t>(result.positions.size())};
         const auto [place, is_new] = starts.try_emplace(object.first_index, end);
-        const Start start = place->second;
-        if (is_new) {
-            for (std::uint32_t v = 0; v < object.vertex_count; ++v) {
-                result.positions.push_back(scene.positions[object.first_vertex + v]);
-                result.colours.push_back(scene.colours[object.first_vertex + v]);
-            }
-            for (std::uint32_t i = 0; i < object.index_count; ++i)
-                result.indices.push_back(scene.indices[object.first_index + i] - object.first_vertex +
-                                         start.vertex);
+        if (!is_new) return;
+        for (std::uint32_t v = 0; v < object.vertex_count; ++v) {
+            result.positions.push_back(scene.positions[object.first_vertex + v]);
+            result.colours.push_back(scene.colours[object.first_vertex + v]);
         }
+        for (std::uint32_t i = 0; i < object.index_count; ++i)
+            result.indices.push_back(scene.indices[object.first_index + i] - object.first_vertex +
+                                     end.vertex);
+    };
+    // Meshes that objects may share keep their order: what is one behind the other there stays so.
+    std::map<std::uint32_t, const Object*> placed;
+    for (const Object& object : scene.objects)
+        if (object.placement != 0) placed.try_emplace(object.first_index, &object);
+    for (const auto& [first_index, object] : placed) add_mesh(*object);
+    for (const ObjectId id : order) {
+        Object object = scene.objects[id];
+        add_mesh(object);
+        const Start start = starts.at(object.first_index);
         object.first_vertex = start.vertex;
         object.first_index = start.index;
         result.objects.push_back(object);
