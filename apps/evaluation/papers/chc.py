@@ -292,4 +292,4 @@ def section(results, extent):
         + HEAD_2 + table_2(results, extent) + "</tbody></table></div>"
     )  # fmt: skip
     checks = [nothing_visible_is_culled(results, lambda one: dict(one.knobs).get("n_vp", 0) > 0)]
-    return Section("Coherent Hierarchical Culling", html, checks, goals(results, extent), rows(results))
+    return Section("Coherent Hierarchical Culling", html, checks, goals(results, extent) if extent.is_full else [], rows(results))

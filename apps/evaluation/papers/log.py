@@ -105,7 +105,7 @@ def table(results, extent):
                 "<tr>"
                 + cells(escape(NAMES[culler]))
                 + cells(number(theirs and theirs.drawn), number(ours.mean("drawn_triangles")))
-                + cells(number(theirs and theirs.pixels and theirs.pixels / pixels_of(size), 2),
+                + cells(number(theirs.pixels / pixels_of(size) if theirs and theirs.pixels else None, 2),
                         number(screens, 2) if culler != "frustum" else DASH)  # fmt: skip
                 + cells(ratio(theirs and theirs.pixels or None, log.pixels, 1),
                         ratio(ours.mean("pixels_read") or None,
@@ -264,5 +264,5 @@ def section(results, extent):
         f"<tbody>{growth_table(results, extent)}</tbody></table></div>"
     )  # fmt: skip
     checks = [nothing_visible_is_culled(results), all_draw_the_same(results, extent)]
-    goals = order_goals(results, extent) + read_goals(results, extent)
+    goals = order_goals(results, extent) + read_goals(results, extent) if extent.is_full else []
     return Section("Lazy Occlusion Grid", html, checks, goals, rows(results))

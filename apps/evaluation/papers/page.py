@@ -31,7 +31,7 @@ def goal_table(goals):
         for goal in goals
     )
     return (
-        '<div class="scroll"><table><thead><tr><th>goal</th><th>wanted</th><th>measured</th><th>reached</th></tr></thead>'
+        '<div class="scroll"><table class="goals"><thead><tr><th>goal</th><th>wanted</th><th>measured</th><th>reached</th></tr></thead>'
         f"<tbody>{lines}</tbody></table></div>"
     )
 

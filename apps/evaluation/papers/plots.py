@@ -31,6 +31,7 @@ def times_beside_paper(panels):
             axis.set_title(title, fontsize=9.5)
             axis.grid(axis="x", visible=False)
         plain_log_axis(axes[0].yaxis)
+        axes[0].set_ylim(bottom=5)  # bars have no natural foot on a logarithmic axis
         axes[0].set_ylabel("frame time (ms)")
         figure.tight_layout()
         return svg_of(figure)
